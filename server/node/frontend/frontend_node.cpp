@@ -23,7 +23,7 @@ FrontendNode::FrontendNode(SessionId session, const FramePolicy& policy, SceneAn
 
   analyzer_ = std::make_shared<SceneAnalyzer>(frontend.layout(), std::move(look), policy.deadlineSeconds, endFrame,
                                               tools.workers, tools.timeline);
-  const auto backdrops = std::make_shared<BackdropStore>();
+  const auto backdrops = std::make_shared<BackdropStore>(frontend.redrawTurns());
   std::unique_ptr<BackdropPlanner> backdropPlanner;
   if (policy.backdrops) {
     backdropPlanner = std::make_unique<BackdropPlanner>(

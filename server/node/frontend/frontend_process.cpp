@@ -28,6 +28,7 @@ FrontendProcess::FrontendProcess(ProcessId id, const world::Layout& layout, cons
       types_(types),
       transport_(transport),
       tools_(tools),
+      redrawTurns_(tools.workers.width()),
       store_(maxSharedBytes,
              [this](ToBackend message) {
                if (auto* const request = std::get_if<Request>(&message)) request->process = id_;

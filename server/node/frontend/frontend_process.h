@@ -5,6 +5,7 @@
 #include <memory>
 #include <shared_mutex>
 
+#include "node/frontend/backdrops/redraw_turns.h"
 #include "node/frontend/frames/asked_pictures.h"
 #include "node/frontend/frontend_half.h"
 #include "node/frontend/frontend_types.h"
@@ -48,6 +49,7 @@ class FrontendProcess final : public FrontendPort {
   /// Returns null if the world has no such object.
   [[nodiscard]] const FrontendType* typeOf(world::ObjectId id) const;
   [[nodiscard]] SharedStore& shared() noexcept { return store_; }
+  [[nodiscard]] RedrawTurns& redrawTurns() noexcept { return redrawTurns_; }
   [[nodiscard]] const FrontendTools& tools() const noexcept { return tools_; }
 
  private:
@@ -60,6 +62,7 @@ class FrontendProcess final : public FrontendPort {
   FrontendEnd& transport_;
   const FrontendTools tools_;
   AskedPictures pictures_;
+  RedrawTurns redrawTurns_;
   SharedStore store_;
   const std::shared_ptr<SharedReceiver> sharedReceiver_;
   std::shared_mutex mutex_;

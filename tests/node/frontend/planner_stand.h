@@ -196,7 +196,8 @@ class PlannerStand : public ::testing::Test {
   FrontendProcess process{1, layout, types, transport, {workers, timeline, memory, images, layout.sky}, 1U << 20U};
   const std::shared_ptr<FrameShelf> shown = std::make_shared<FrameShelf>();
   const std::shared_ptr<VisitorHalves> halves = std::make_shared<VisitorHalves>(process);
-  const std::shared_ptr<BackdropStore> backdrops = std::make_shared<BackdropStore>();
+  RedrawTurns turns{2};
+  const std::shared_ptr<BackdropStore> backdrops = std::make_shared<BackdropStore>(turns);
   const std::shared_ptr<FramePlanner> planner = std::make_shared<FramePlanner>(
       64, process, halves, std::make_unique<BackdropPlanner>(layout, halves, backdrops, [] { return 1.0F; }),
       [this] { ++dropped; });

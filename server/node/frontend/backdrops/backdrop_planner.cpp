@@ -30,6 +30,8 @@ constexpr float kMaxLacking = 8.0F;
 /// Seconds for which a backdrop serves whatever its error, per error factor beyond 1. Otherwise each frame of a busy
 /// machine would draw a new one amid leaves.
 constexpr float kMinSeconds = 0.1F;
+/// Factor for those seconds while it is other visitors' turn.
+constexpr float kWait = 2.0F;
 /// Shares of those seconds, and of the permitted error, by which a backdrop's eye is ahead of the visitor's.
 constexpr float kLeadShare = 0.4F;
 constexpr float kLeadError = 0.7F;
@@ -89,11 +91,14 @@ std::shared_ptr<const FrameList> BackdropPlanner::plan(std::shared_ptr<const Fra
   }
   held_.clear();
   adopt(listToDraw(*seen));
+  backdrops_->turn().begin();
   return last_;
 }
 
 void BackdropPlanner::drop(FrameNumber frame) {
-  if (last_ && last_->view->frame == frame) last_ = nullptr;
+  if (!last_ || last_->view->frame != frame) return;
+  last_ = nullptr;
+  backdrops_->turn().end();
 }
 
 std::shared_ptr<const FrameList> BackdropPlanner::listToWarp(const FrameList& seen) const {
@@ -227,7 +232,9 @@ world::Vec3 BackdropPlanner::lead() const {
 
 float BackdropPlanner::permittedError() const { return std::sqrt(errorFactor_); }
 
-float BackdropPlanner::minSeconds() const { return kMinSeconds * (errorFactor_ - 1.0F); }
+float BackdropPlanner::minSeconds() const {
+  return kMinSeconds * (errorFactor_ - 1.0F) * (backdrops_->turn().isOthers() ? kWait : 1.0F);
+}
 
 world::Rect BackdropPlanner::areaFor(const world::Camera& eye, const world::Camera& camera) const {
   const world::Rect seen = seenPart(eye, camera, kNearestInBorder);

@@ -45,7 +45,7 @@ class BackdropPlanner {
   [[nodiscard]] std::shared_ptr<const View> withBackdropPose(const std::shared_ptr<const View>& view) const;
   /// Of warps; grows slower than the error factor, because doubled errors show more than they save.
   [[nodiscard]] float permittedError() const;
-  /// Seconds for which a backdrop serves whatever its error.
+  /// Seconds for which a backdrop serves whatever its error; more while it is other visitors' turn to draw theirs.
   [[nodiscard]] float minSeconds() const;
   /// Area of a backdrop with the camera `eye` that the frame of `camera` draws.
   [[nodiscard]] world::Rect areaFor(const world::Camera& eye, const world::Camera& camera) const;

@@ -10,6 +10,7 @@ std::shared_ptr<const Backdrop> BackdropStore::newest() const {
 }
 
 void BackdropStore::put(std::shared_ptr<const Backdrop> backdrop) {
+  turn_.end();
   // The previous backdrop's memory is freed after the lock.
   const std::lock_guard lock(mutex_);
   std::swap(newest_, backdrop);

@@ -47,6 +47,38 @@ TEST_F(BusyBackdrops, ServeAMinimumTime) {
   EXPECT_TRUE(planStep()->drawsBackdrop()) << "after 0.3 seconds";
 }
 
+/// Fails if all visitors' backdrops are drawn at the same time, or if a visitor waits without end.
+TEST_F(BusyBackdrops, WaitForTheirTurn) {
+  wall = 0.5F;
+  draw(*plan());
+  RedrawTurn other(turns);
+  other.begin();
+  for (int i = 0; i < 17; ++i) EXPECT_FALSE(planStep()->drawsBackdrop()) << i;
+  planStep();
+  time += 1e-3;
+  const auto afterTwiceTheTime = plan();
+  ASSERT_TRUE(afterTwiceTheTime->drawsBackdrop()) << "after 0.6 seconds";
+  draw(*afterTwiceTheTime);
+  for (int i = 0; i < 15; ++i) EXPECT_FALSE(planStep()->drawsBackdrop()) << i;
+  other.end();
+  EXPECT_TRUE(planStep()->drawsBackdrop());
+}
+
+/// Fails if other visitors wait for a backdrop that is complete or that is never drawn.
+TEST_F(BusyBackdrops, ReturnTheirTurn) {
+  const auto first = plan();
+  ASSERT_TRUE(first->drawsBackdrop());
+  EXPECT_FALSE(turns.isFree());
+  draw(*first);
+  EXPECT_TRUE(turns.isFree());
+  time += 4.0;
+  const auto next = plan();
+  ASSERT_TRUE(next->drawsBackdrop());
+  EXPECT_FALSE(turns.isFree());
+  planned.drop(next->view->frame);
+  EXPECT_TRUE(turns.isFree());
+}
+
 /// Fails if a backdrop is right at first and then only gets worse: drawn from ahead, it serves for a longer way.
 TEST_F(BusyBackdrops, AreDrawnAheadOfWalkers) {
   wall = 5.0F;

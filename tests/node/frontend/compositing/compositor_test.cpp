@@ -132,7 +132,8 @@ class CompositorTest : public ::testing::Test {
   pipeline::WorkerPool workers{2};
   ReferenceTransport transport;
   FrontendProcess process{1, layout, types, transport, {workers, timeline, memory, images, layout.sky}, 0};
-  const std::shared_ptr<BackdropStore> backdrops = std::make_shared<BackdropStore>();
+  RedrawTurns turns{2};
+  const std::shared_ptr<BackdropStore> backdrops = std::make_shared<BackdropStore>(turns);
   const std::shared_ptr<Frames> shown = std::make_shared<Frames>();
   const std::shared_ptr<Compositor> compositor =
       std::make_shared<Compositor>(1, process, std::make_shared<VisitorHalves>(process), backdrops, [this] { ++done; });
