@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include "objects/ground/common/clearing.h"
 #include "objects/ground/common/meadow.h"
+#include "world/hills.h"
 
 namespace grove::objects::ground {
 
@@ -9,6 +12,7 @@ namespace grove::objects::ground {
 struct GroundMaps {
   Clearing clearing;
   Meadow meadow;
+  std::vector<world::Hill> hills;  ///< that the ground is made of
 };
 
 }  // namespace grove::objects::ground
