@@ -8,10 +8,6 @@ namespace {
 
 constexpr float kHazeMetres = 280.0F;
 
-constexpr float kMostMist = 0.80F;
-constexpr float kMistBegins = 28.0F;       // metres
-constexpr float kMistIsThickest = 140.0F;  // metres
-
 }  // namespace
 
 float hazeAmount(float distance) noexcept { return 1.0F - std::exp(-distance / kHazeMetres); }

@@ -13,8 +13,12 @@ namespace grove::world {
 [[nodiscard]] float hazeAmount(float distance) noexcept;
 
 /// The share of the ground's colour at this distance that mist replaces by haze, in addition to air: none nearby, most of
-/// it far away, so that a meadow has no visible end. It thins out with height, up to kMistTop metres.
+/// it far away, so that a meadow has no visible end. It grows smoothly from kMistBegins to kMistIsThickest, in metres,
+/// and thins out with height, up to kMistTop metres. Has a vectorised copy in the ground's soil_kernels.cpp.
 [[nodiscard]] float mistAmount(float distance) noexcept;
+inline constexpr float kMostMist = 0.80F;
+inline constexpr float kMistBegins = 28.0F;
+inline constexpr float kMistIsThickest = 140.0F;
 inline constexpr float kMistTop = 10.0F;
 
 /// Filmic curve and sRGB encoding of one linear channel to 0..1. The curve is that of K. Narkowicz, "ACES Filmic Tone

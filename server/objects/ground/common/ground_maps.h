@@ -12,7 +12,7 @@ namespace grove::objects::ground {
 struct GroundMaps {
   Clearing clearing;
   Meadow meadow;
-  std::vector<world::Hill> hills;  ///< that the ground is made of
+  std::vector<world::Hill> hills = {};  ///< that the ground is made of
 };
 
 }  // namespace grove::objects::ground

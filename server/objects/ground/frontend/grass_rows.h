@@ -24,7 +24,8 @@ inline constexpr float kShareSteps = kMeadowStep * 512.0F / kRootStep;
 struct GrassRows {
   alignas(64) std::array<std::uint32_t, kRootRows * kTile> texels;
   alignas(64) std::array<std::int16_t, kRootRows * kTile> tops;
-  std::array<std::int16_t, kRootRows> highest;  ///< highest of each row's tops
+  std::array<std::int16_t, kRootRows> highest;                                          ///< highest of each row's tops
+  alignas(64) std::array<float, std::size_t{kRootRows} * kCoarsePadded> inverseDepths;  ///< of the ground, at samples
   alignas(64) std::array<Root, kTile> roots;
 };
 

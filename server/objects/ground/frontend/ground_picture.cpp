@@ -8,6 +8,7 @@
 
 #include "base/floor_to.h"
 #include "objects/ground/frontend/grow_kernels.h"
+#include "objects/ground/frontend/relief_kernels.h"
 #include "objects/ground/frontend/root_kernels.h"
 #include "objects/ground/frontend/shade_kernels.h"
 #include "raster/soften_kernels.h"
@@ -30,16 +31,25 @@ int rowStep(const Frame& frame, int row) {
   return along < 0.10F ? kMaxRowStep : along < 0.6F ? 2 : 1;
 }
 
-/// Number of nearer rows whose grass can reach up to this row. The search starts at the neighbour row's reach, which is
-/// similar.
-int reachOf(const Frame& frame, float tallest, int row, int ofNeighbour) {
-  const auto reaches = [&](int rows) {
-    return rowAt(frame, row + rows).pixelsPerMetre * tallest + 0.5F >= static_cast<float>(rows);
-  };
+/// Number of nearer rows whose grass can reach up to this row, where a metre has `scaleAt(row)` pixels. The search
+/// starts at the neighbour row's reach, which is similar.
+template <typename ScaleAt>
+int reachOf(const ScaleAt& scaleAt, float tallest, int row, int ofNeighbour) {
+  const auto reaches = [&](int rows) { return scaleAt(row + rows) * tallest + 0.5F >= static_cast<float>(rows); };
   int reach = ofNeighbour;
   while (reach > 0 && !reaches(reach)) --reach;
   while (reach + 1 < kRootRows - 1 && reaches(reach + 1)) ++reach;
   return reach;
+}
+
+/// The nearest row whose grass can reach up to this row. Before the eye, the ground may be higher than below it.
+int lowestRow(world::Camera camera, float ground, float tallest, int row) {
+  constexpr float kRise = 0.3F;
+  constexpr float kMinHeight = 0.2F;
+  if (ground > 0.0F) camera.pose.position.y = std::max(camera.pose.position.y - ground - kRise, kMinHeight);
+  const Frame frame = frameOf(camera);
+  const auto scaleAt = [&](int each) { return rowAt(frame, each).pixelsPerMetre; };
+  return row + reachOf(scaleAt, tallest, row, 0);
 }
 
 std::vector<world::PointLight> nearestLights(std::span<const world::PointLight> lights, world::Vec3 eye) {
@@ -49,13 +59,6 @@ std::vector<world::PointLight> nearestLights(std::span<const world::PointLight> 
 }
 
 }  // namespace
-
-/// Values that the strips of a row share.
-struct GroundPicture::RowPlan {
-  Row row;
-  int reach = 0;  // rows nearer to the eye whose grass can be seen in this one
-  MeadowSampling sampling;
-};
 
 /// Works on one strip from its nearest row up, because a row searches for its grass in the rows below. Softens colours
 /// against aliasing, because a pixel shows one texel of the meadow: so a row is complete when the row above it is
@@ -68,21 +71,30 @@ class GroundPicture::StripPainter {
         frame_(picture.frame_),
         lights_(picture.lights_),
         image_(image),
+        lowest_(picture.lowest_),
         firstColumn_(firstColumn),
+        hills_(hillsBefore(frame_, firstColumn, picture.first_, lowest_, maps_.hills)),
         left_(std::max(firstColumn, image.rect.left)),
         right_(std::min(firstColumn + kTile, image.rect.right)) {}
 
-  void paint(std::span<const RowPlan> plans) {
-    for (const RowPlan& plan : plans) {
-      const SoilBetween soil = soilAt(plan.row.row);
-      growGrass(frame_, plan.row, firstColumn_, maps_.meadow, plan.sampling, soil, grass_);
-      if (plan.row.row > image_.rect.bottom) continue;
-      findRoots(plan.row, plan.reach, soil, grass_);
-      shade(plan.row, soil);
-      if (plan.row.row + 1 < image_.rect.bottom) finish(plan.row.row + 1, plan.row.row);
+  /// `first`: the farthest row.
+  void paint(int first) {
+    int reach = 0;
+    for (int y = lowest_; y >= first; --y) {
+      const GroundRow& ground = groundAt(y);
+      const Row row = meanOf(frame_, ground);
+      scales_[slotOf(y)] = row.pixelsPerMetre;
+      const auto scaleAt = [&](int each) { return each > lowest_ ? 0.0F : scales_[slotOf(each)]; };
+      reach = reachOf(scaleAt, maps_.meadow.tallest, y, reach);
+      const SoilBetween soil = soilAt(y);
+      growGrass(frame_, ground, maps_.meadow, samplingFor(row, maps_.meadow), soil, grass_);
+      if (y > image_.rect.bottom) continue;
+      findRoots(row, reach, soil, grass_);
+      shade(y, soil);
+      if (y + 1 < image_.rect.bottom) finish(y + 1, y);
     }
     // Nothing is above the horizon.
-    if (plans.back().row.row == image_.rect.top) finish(image_.rect.top, image_.rect.top);
+    if (first == image_.rect.top) finish(first, first);
   }
 
  private:
@@ -92,11 +104,24 @@ class GroundPicture::StripPainter {
     FineSoil soil;
   };
 
+  static std::size_t slotOf(int row) { return static_cast<unsigned>(row) % kRootRows; }
+
+  /// Searches the rows up to this one, nearest first. Keeps the newest rows.
+  const GroundRow& groundAt(int row) {
+    const auto kept = [&](int each) -> GroundRow& { return grounds_[static_cast<unsigned>(each) % grounds_.size()]; };
+    for (; searched_ > row; --searched_) {
+      const GroundRow* const nearer = searched_ > lowest_ ? nullptr : &kept(searched_);
+      findGround(frame_, hills_, searched_ - 1, firstColumn_, nearer, kept(searched_ - 1));
+    }
+    return kept(row);
+  }
+
   void sample(int row, SoilRow& out) {
-    const Row at = rowAt(frame_, row);
+    const GroundRow& ground = groundAt(row);
+    const Row at = meanOf(frame_, ground);
     const float texel = maps_.clearing.metres / static_cast<float>(maps_.clearing.pyramid.size());
     const float area = at.across * kCoarse * at.along * static_cast<float>(rowStep(frame_, row));
-    sampleSoil(frame_, at, firstColumn_, maps_.clearing, levelFor(std::sqrt(area) / texel, maps_.clearing.pyramid),
+    sampleSoil(frame_, ground, firstColumn_, maps_.clearing, levelFor(std::sqrt(area) / texel, maps_.clearing.pyramid),
                light_, lights_, samples_);
     spreadSoil(samples_, out.soil);
     out.row = row;
@@ -123,10 +148,10 @@ class GroundPicture::StripPainter {
   /// A row softened across, of the newest ones.
   Colours& shaded(int row) { return shaded_[static_cast<unsigned>(row) % shaded_.size()]; }
 
-  void shade(const Row& row, const SoilBetween& soil) {
-    shadeRow(frame_, row, soil, grass_, colour_.data(), depth_.data());
-    raster::softenAcross(colour_.data(), kTile, kSoftening, shaded(row.row).data());
-    const int y = row.row - image_.rect.top;
+  void shade(int row, const SoilBetween& soil) {
+    shadeRow(row, soil, grass_, colour_.data(), depth_.data());
+    raster::softenAcross(colour_.data(), kTile, kSoftening, shaded(row).data());
+    const int y = row - image_.rect.top;
     if (y < 0 || y >= image_.height()) return;
     std::copy_n(depth_.begin() + (left_ - firstColumn_), right_ - left_,
                 image_.depthRow(y) + (left_ - image_.rect.left));
@@ -144,9 +169,14 @@ class GroundPicture::StripPainter {
   const Frame& frame_;
   std::span<const world::PointLight> lights_;
   raster::Image& image_;
+  const int lowest_;
   const int firstColumn_;
+  const std::vector<world::Hill> hills_;
   const int left_;  // columns of the strip that lie in the image
   const int right_;
+  std::array<GroundRow, 2 * kMaxRowStep> grounds_;  ///< the newest rows
+  int searched_ = lowest_ + 1;                      ///< the newest row
+  std::array<float, kRootRows> scales_{};           ///< pixels per metre of the newest rows
   std::array<SoilRow, 2> sampled_;
   SoilRow* near_ = &sampled_[0];
   SoilRow* far_ = &sampled_[1];
@@ -161,7 +191,9 @@ class GroundPicture::StripPainter {
 GroundPicture::GroundPicture(const GroundMaps& maps, const GroundLight& light, const world::Camera& camera,
                              world::Rect rect, std::span<const world::PointLight> lights, raster::ImagePool& images)
     : maps_(maps), light_(light), frame_(frameOf(camera)), lights_(nearestLights(lights, camera.pose.position)) {
-  if (camera.pose.position.y <= 0.0F) return;
+  const world::Vec3 eye = camera.pose.position;
+  const float ground = world::groundHeight(maps.hills, {eye.x, eye.z});
+  if (eye.y <= ground) return;
   const auto inverse = [&](int row) { return frame_.firstInverse + static_cast<float>(row) * frame_.inverseStep; };
   while (!rect.empty() && inverse(rect.top) < 1.0F / kFarthest) ++rect.top;
   if (rect.empty()) return;
@@ -171,21 +203,14 @@ GroundPicture::GroundPicture(const GroundMaps& maps, const GroundLight& light, c
   firstColumn_ = floorTo(rect.left, kTile);
   parts_ = static_cast<std::size_t>((rect.right - firstColumn_ + kTile - 1) / kTile);
   // Softening needs a row on each side.
-  const int first = inverse(rect.top - 1) < 1.0F / kFarthest ? rect.top : rect.top - 1;
-  int reach = reachOf(frame_, maps.meadow.tallest, rect.bottom, 0);
-  const int lowest = rect.bottom + reach;
-  plans_.reserve(static_cast<std::size_t>(lowest + 1 - first));
-  for (int y = lowest; y >= first; --y) {
-    const Row row = rowAt(frame_, y);
-    reach = reachOf(frame_, maps.meadow.tallest, y, reach);
-    plans_.push_back({row, reach, samplingFor(row, maps.meadow)});
-  }
+  first_ = inverse(rect.top - 1) < 1.0F / kFarthest ? rect.top : rect.top - 1;
+  lowest_ = lowestRow(camera, ground, maps.meadow.tallest, rect.bottom);
 }
 
 GroundPicture::~GroundPicture() = default;
 
 void GroundPicture::paint(std::size_t part) {
-  StripPainter(*this, *image_, firstColumn_ + static_cast<int>(part) * kTile).paint(plans_);
+  StripPainter(*this, *image_, firstColumn_ + static_cast<int>(part) * kTile).paint(first_);
 }
 
 }  // namespace grove::objects::ground

@@ -14,7 +14,7 @@
 
 namespace grove::objects::ground {
 
-/// A camera's view of the ground within `rect`, cropped to the rows below the horizon. Depth is the plane's, or less
+/// A camera's view of the ground within `rect`, cropped to the rows below the horizon. Depth is the ground's, or less
 /// where a blade of grass stands in front of it. Only the nearest eight lights count.
 class GroundPicture {
  public:
@@ -35,7 +35,6 @@ class GroundPicture {
   [[nodiscard]] std::shared_ptr<const raster::Image> image() const noexcept { return image_; }
 
  private:
-  struct RowPlan;
   class StripPainter;
 
   const GroundMaps& maps_;
@@ -43,7 +42,8 @@ class GroundPicture {
   Frame frame_;
   std::vector<world::PointLight> lights_;
   std::shared_ptr<raster::Image> image_;
-  std::vector<RowPlan> plans_;  ///< nearest row first
+  int first_ = 0;   ///< farthest row that is painted
+  int lowest_ = 0;  ///< nearest row whose grass may reach into the picture
   int firstColumn_ = 0;
   std::size_t parts_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "objects/ground/frontend/grow_kernels.cpp"
@@ -17,13 +18,14 @@ namespace grove::objects::ground::HWY_NAMESPACE {
 namespace {
 
 namespace lanes = grove::simd::HWY_NAMESPACE;
+using lanes::Floats;
 using lanes::Ints;
 using lanes::kLanes;
 using lanes::Mask;
 
 /// The meadow is rotated against the axes, so that its tiles do not line up with the path.
-constexpr double kTurnCosine = 0.81915;
-constexpr double kTurnSine = 0.57358;
+constexpr float kTurnCosine = 0.81915F;
+constexpr float kTurnSine = 0.57358F;
 
 /// Period of the pattern of two levels, in pixels.
 constexpr int kPattern = 16;
@@ -65,39 +67,59 @@ struct TiledLevels {
   }
 };
 
-/// A row's position in the meadow: at the tile's first column, and the step per column.
-struct TexelLine {
-  std::uint32_t x, y, stepX, stepY;
-
-  HWY_INLINE TexelLine(const Frame& frame, double depth, double ahead, int firstColumn, double metres) {
-    const double side = static_cast<double>(frame.firstSide) + firstColumn * static_cast<double>(frame.sideStep);
-    const double worldX = frame.eyeX + depth * (ahead * frame.forwardX + side * frame.sideX);
-    const double worldZ = frame.eyeZ + depth * (ahead * frame.forwardZ + side * frame.sideZ);
-    const double worldStepX = depth * frame.sideStep * frame.sideX;
-    const double worldStepZ = depth * frame.sideStep * frame.sideZ;
-    const auto wrapped = [&](double distance) {
-      return static_cast<std::uint32_t>(static_cast<std::int64_t>(distance / metres * 4294967296.0));
-    };
-    x = wrapped(worldX * kTurnCosine - worldZ * kTurnSine);
-    y = wrapped(worldX * kTurnSine + worldZ * kTurnCosine);
-    stepX = wrapped(worldStepX * kTurnCosine - worldStepZ * kTurnSine);
-    stepY = wrapped(worldStepX * kTurnSine + worldStepZ * kTurnCosine);
-  }
+/// Places in the meadow of a row's pixels, in 2^-32 of the tile.
+struct MeadowPlaces {
+  alignas(64) std::array<std::int32_t, kTile> x;
+  alignas(64) std::array<std::int32_t, kTile> y;
 };
 
-HWY_INLINE Ints wrapping(std::uint32_t turns) { return static_cast<std::int32_t>(turns); }
+/// A fraction of the tile, which repeats, in 2^-32.
+HWY_INLINE Ints wrapped(Floats tiles) {
+  const Floats fraction = tiles - lanes::floor(tiles);
+  return lanes::truncate((fraction - 0.5F) * 4294967296.0F) + Ints(std::numeric_limits<std::int32_t>::min());
+}
+
+/// Interpolates between the samples.
+HWY_INLINE void spreadPlaces(const std::array<std::int32_t, kCoarsePadded>& samples,
+                             std::array<std::int32_t, kTile>& out) {
+  const hn::CappedTag<std::int32_t, kCoarse> tag;
+  constexpr std::size_t kColumns = hn::MaxLanes(tag);
+  for (std::size_t i = 0; i < kTile / kCoarse; ++i) {
+    const auto first = hn::Set(tag, samples[i]);
+    const auto step = hn::ShiftRight<3>(hn::Sub(hn::Set(tag, samples[i + 1]), first));
+    static_assert(kCoarse == 1 << 3);
+    for (std::size_t from = 0; from < kCoarse; from += kColumns) {
+      const auto columns = hn::Iota(tag, static_cast<std::int32_t>(from));
+      hn::Store(hn::Add(first, hn::Mul(columns, step)), tag, out.data() + i * kCoarse + from);
+    }
+  }
+}
+
+/// `share`: how far towards the next nearer row.
+HWY_INLINE void placeRow(const Frame& frame, const GroundRow& ground, float share, float metres, MeadowPlaces& out) {
+  alignas(64) std::array<std::int32_t, kCoarsePadded> x;
+  alignas(64) std::array<std::int32_t, kCoarsePadded> y;
+  const float perMetre = 1.0F / metres;
+  for (std::size_t i = 0; i < kCoarsePadded; i += kLanes) {
+    const Floats nearer = lanes::load(ground.step.data() + i) / lanes::load(ground.depth.data() + i) * share;
+    const Floats worldX = lanes::load(ground.x.data() + i);
+    const Floats worldZ = lanes::load(ground.z.data() + i);
+    const Floats atX = (worldX - (worldX - frame.eyeX) * nearer) * perMetre;
+    const Floats atZ = (worldZ - (worldZ - frame.eyeZ) * nearer) * perMetre;
+    lanes::store(wrapped(atX * kTurnCosine - atZ * kTurnSine), x.data() + i);
+    lanes::store(wrapped(atX * kTurnSine + atZ * kTurnCosine), y.data() + i);
+  }
+  spreadPlaces(x, out.x);
+  spreadPlaces(y, out.y);
+}
 
 /// Computes each pixel's texel index.
-HWY_INLINE void placeLine(const TiledLevels& levels, const TexelLine& line, std::int32_t* HWY_RESTRICT at) {
-  Ints x = wrapping(line.x) + lanes::upwards() * wrapping(line.stepX);
-  Ints y = wrapping(line.y) + lanes::upwards() * wrapping(line.stepY);
-  const Ints stepX = wrapping(kLanes * line.stepX);
-  const Ints stepY = wrapping(kLanes * line.stepY);
+HWY_INLINE void findTexels(const TiledLevels& levels, const MeadowPlaces& places, std::int32_t* HWY_RESTRICT at) {
   for (int first = 0; first < kTile; first += kPattern) {
     for (int i = 0; i < kPattern; i += kLanes) {
+      const Ints x = lanes::load(places.x.data() + first + i);
+      const Ints y = lanes::load(places.y.data() + first + i);
       lanes::store(levels.index(x, y, i), at + first + i);
-      x = x + stepX;
-      y = y + stepY;
     }
   }
 }
@@ -107,19 +129,17 @@ using TexelRow = std::array<std::uint32_t, kTile>;
 /// A row's samples, tap by tap.
 struct Taps {
   const Frame& frame;
-  const Row& row;
-  int firstColumn;
+  const GroundRow& ground;
   const Meadow& meadow;
   const MeadowSampling& sampling;
 
   HWY_INLINE void sample(int tap, std::uint32_t* HWY_RESTRICT out) const {
     // Along the pixel's ray; the first tap is the farthest.
     const float share = (static_cast<float>(tap) + 0.5F) / static_cast<float>(sampling.taps) - 0.5F;
-    const double depth =
-        static_cast<double>(row.depth) - static_cast<double>(share * row.depth * row.depth * frame.inverseStep);
+    MeadowPlaces places;
+    placeRow(frame, ground, share, meadow.metres, places);
     alignas(64) std::array<std::int32_t, kTile> at;
-    placeLine(TiledLevels(meadow.pyramid, sampling, row.row * 5 + tap * 9),
-              TexelLine(frame, depth, row.ahead, firstColumn, meadow.metres), at.data());
+    findTexels(TiledLevels(meadow.pyramid, sampling, ground.row * 5 + tap * 9), places, at.data());
     lookUp<kTile>(meadow.pyramid.level(sampling.level), at.data(), out);
   }
 };
@@ -151,22 +171,31 @@ void sampleMeadow(const Taps& taps, std::uint32_t* HWY_RESTRICT texels) {
   average(texels, second.data());
 }
 
+/// Heights in pixels of the tallest grass, in steps of 1/256. Limited: the search would not find taller grass.
+using Heights = std::array<std::uint16_t, kTile>;
+
+HWY_INLINE void measureTallest(const Frame& frame, const GroundRow& ground, Heights& out) {
+  const float scale = std::max(0.0F, frame.focal * ground.ahead) * kTallest;
+  for (std::size_t i = 0; i < kTile / kCoarse; ++i) {
+    const float pixels = std::min(scale / ground.depth[i], 254.0F) * (65536.0F / 255.0F);
+    std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(i * kCoarse), kCoarse, static_cast<std::uint16_t>(pixels));
+  }
+}
+
 /// Computes the screen row that each pixel's grass reaches; returns the highest.
-std::int16_t reachUp(const Row& row, const SoilBetween& soil, const std::uint32_t* HWY_RESTRICT texels,
+std::int16_t reachUp(int row, const Heights& tallest, const SoilBetween& soil, const std::uint32_t* HWY_RESTRICT texels,
                      std::int16_t* HWY_RESTRICT tops) {
   const HalfTag tag;
   const UnsignedHalfTag unsignedTag;
   const PixelTag pixelTag;
-  // Height in pixels of the tallest grass, in steps of 1/256. Limited: the search would not find taller grass.
-  const UnsignedHalves tallest =
-      unsignedHalves(static_cast<int>(std::min(row.pixelsPerMetre * kTallest, 254.0F) * (65536.0F / 255.0F)));
-  const Halves base = halves(row.row);
+  const Halves base = halves(row);
   Halves highest = base;
   for (std::size_t i = 0; i < kTile; i += kHalves) {
     const UnsignedHalves left = hn::BitCast(unsignedTag, hn::Load(pixelTag, texels + i));
     const UnsignedHalves right = hn::BitCast(unsignedTag, hn::Load(pixelTag, texels + i + kPixels));
     const UnsignedHalves blade = hn::And(hn::ConcatOdd(unsignedTag, right, left), unsignedHalves(0xFF00));
-    const UnsignedHalves tall = hn::MulHigh(hn::BitCast(unsignedTag, grassAt(soil, i)), tallest);
+    const UnsignedHalves tall =
+        hn::MulHigh(hn::BitCast(unsignedTag, grassAt(soil, i)), hn::Load(unsignedTag, tallest.data() + i));
     const UnsignedHalves rise = hn::ShiftRight<7>(hn::Add(hn::MulHigh(blade, tall), unsignedHalves(64)));
     const Halves top = hn::Sub(base, hn::BitCast(tag, rise));
     hn::Store(top, tag, tops + i);
@@ -175,12 +204,18 @@ std::int16_t reachUp(const Row& row, const SoilBetween& soil, const std::uint32_
   return hn::GetLane(hn::MinOfLanes(tag, highest));
 }
 
-void growGrass(const Frame& frame, const Row& row, int firstColumn, const Meadow& meadow,
-               const MeadowSampling& sampling, const SoilBetween& soil, GrassRows& grass) {
-  const auto slot = static_cast<std::size_t>(row.row & (kRootRows - 1));
+void growGrass(const Frame& frame, const GroundRow& ground, const Meadow& meadow, const MeadowSampling& sampling,
+               const SoilBetween& soil, GrassRows& grass) {
+  const auto slot = static_cast<std::size_t>(ground.row & (kRootRows - 1));
   std::uint32_t* const texels = grass.texels.data() + slot * kTile;
-  sampleMeadow({frame, row, firstColumn, meadow, sampling}, texels);
-  grass.highest[slot] = reachUp(row, soil, texels, grass.tops.data() + slot * kTile);
+  sampleMeadow({frame, ground, meadow, sampling}, texels);
+  alignas(64) Heights tallest;
+  measureTallest(frame, ground, tallest);
+  grass.highest[slot] = reachUp(ground.row, tallest, soil, texels, grass.tops.data() + slot * kTile);
+  auto* const inverse = grass.inverseDepths.data() + slot * kCoarsePadded;
+  for (std::size_t i = 0; i < kCoarsePadded; i += kLanes) {
+    lanes::store(Floats(1.0F) / lanes::load(ground.depth.data() + i), inverse + i);
+  }
 }
 
 }  // namespace
@@ -193,9 +228,9 @@ namespace grove::objects::ground {
 
 HWY_EXPORT(growGrass);
 
-void growGrass(const Frame& frame, const Row& row, int firstColumn, const Meadow& meadow,
-               const MeadowSampling& sampling, const SoilBetween& soil, GrassRows& grass) {
-  HWY_DYNAMIC_DISPATCH(growGrass)(frame, row, firstColumn, meadow, sampling, soil, grass);
+void growGrass(const Frame& frame, const GroundRow& ground, const Meadow& meadow, const MeadowSampling& sampling,
+               const SoilBetween& soil, GrassRows& grass) {
+  HWY_DYNAMIC_DISPATCH(growGrass)(frame, ground, meadow, sampling, soil, grass);
 }
 
 }  // namespace grove::objects::ground

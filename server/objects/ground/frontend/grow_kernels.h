@@ -6,7 +6,7 @@
 namespace grove::objects::ground {
 
 /// Kernel: stores the plants at this row's pixels and the screen rows of their tops.
-void growGrass(const Frame& frame, const Row& row, int firstColumn, const Meadow& meadow,
-               const MeadowSampling& sampling, const SoilBetween& soil, GrassRows& grass);
+void growGrass(const Frame& frame, const GroundRow& ground, const Meadow& meadow, const MeadowSampling& sampling,
+               const SoilBetween& soil, GrassRows& grass);
 
 }  // namespace grove::objects::ground

@@ -32,35 +32,53 @@ struct Curve {
   }
 };
 
-/// Computes each pixel's texel index in the rows of grass, and its depth.
-HWY_INLINE void place(const Frame& frame, const Row& row, const GrassRows& grass, std::int32_t* HWY_RESTRICT at,
-                      float* HWY_RESTRICT depth) {
+/// Interpolates a row's inverse depths: what to add to that of the sample before each pixel.
+HWY_INLINE void spreadSlopes(const float* HWY_RESTRICT samples, float* HWY_RESTRICT out) {
+  const hn::CappedTag<float, kCoarse> tag;
+  constexpr std::size_t kColumns = hn::MaxLanes(tag);
+  for (std::size_t i = 0; i < kTile / kCoarse; ++i) {
+    const auto step = hn::Set(tag, (samples[i + 1] - samples[i]) * (1.0F / kCoarse));
+    for (std::size_t from = 0; from < kCoarse; from += kColumns) {
+      hn::Store(hn::Mul(hn::Iota(tag, static_cast<float>(from)), step), tag, out + i * kCoarse + from);
+    }
+  }
+}
+
+/// Computes each pixel's texel index in the rows of grass, and its depth: that of its blade's row, as slanted as its
+/// own.
+HWY_INLINE void place(int row, const GrassRows& grass, std::int32_t* HWY_RESTRICT at, float* HWY_RESTRICT depth) {
   const hn::Repartition<std::int32_t, HalfTag> indexTag;
   const hn::Repartition<float, HalfTag> depthTag;
   const hn::Rebind<Root, PixelTag> rootTag;
-  const auto firstInverse = hn::Set(depthTag, frame.firstInverse + static_cast<float>(row.row) * frame.inverseStep);
-  const auto inverseStep = hn::Set(depthTag, frame.inverseStep);
-  const auto thisRow = hn::Set(indexTag, row.row);
+  alignas(64) std::array<float, kTile> slopes;
+  spreadSlopes(grass.inverseDepths.data() + static_cast<std::size_t>(row & (kRootRows - 1)) * kCoarsePadded,
+               slopes.data());
+  alignas(64) std::array<std::int32_t, kTile> sample;
+  const auto thisRow = hn::Set(indexTag, row);
   const auto rowMask = hn::Set(indexTag, kRootRows - 1);
-  const auto one = hn::Set(depthTag, 1.0F);
   for (std::size_t i = 0; i < kTile; i += kPixels) {
     const auto root = hn::PromoteTo(indexTag, hn::Load(rootTag, grass.roots.data() + i));
     const auto above = hn::And(root, rowMask);
     const auto slot = hn::And(hn::Add(above, thisRow), rowMask);
     const auto column = hn::Iota(indexTag, static_cast<std::int32_t>(i));
-    static_assert(kTile == (1 << 7) + (1 << 5));
+    static_assert(kTile == (1 << 7) + (1 << 5) && kCoarsePadded == 1 << 5 && kCoarse == 1 << 3);
     const auto line = hn::Add(hn::ShiftLeft<7>(slot), hn::ShiftLeft<5>(slot));
     hn::Store(hn::Add(line, column), indexTag, at + i);
-    const auto inverse = hn::MulAdd(hn::ConvertTo(depthTag, above), inverseStep, firstInverse);
-    hn::StoreU(hn::Div(one, inverse), depthTag, depth + i);
+    hn::Store(hn::Add(hn::ShiftLeft<5>(slot), hn::ShiftRight<3>(column)), indexTag, sample.data() + i);
+  }
+  alignas(64) std::array<float, kTile> inverse;
+  for (std::size_t i = 0; i < kTile; ++i) inverse[i] = grass.inverseDepths[static_cast<std::size_t>(sample[i])];
+  for (std::size_t i = 0; i < kTile; i += kPixels) {
+    const auto sum = hn::Add(hn::Load(depthTag, inverse.data() + i), hn::Load(depthTag, slopes.data() + i));
+    hn::StoreU(hn::Div(hn::Set(depthTag, 1.0F), sum), depthTag, depth + i);
   }
 }
 
-void shadeRow(const Frame& frame, const Row& row, const SoilBetween& soil, const GrassRows& grass,
-              std::uint32_t* HWY_RESTRICT colour, float* HWY_RESTRICT depth) {
+void shadeRow(int row, const SoilBetween& soil, const GrassRows& grass, std::uint32_t* HWY_RESTRICT colour,
+              float* HWY_RESTRICT depth) {
   alignas(64) std::array<std::int32_t, kTile> at;
   alignas(64) std::array<std::uint32_t, kTile> grown;
-  place(frame, row, grass, at.data(), depth);
+  place(row, grass, at.data(), depth);
   lookUp<kTile>(grass.texels.data(), at.data(), grown.data());
 
   const Curve low{soil.first.low, soil.step.low};
@@ -94,9 +112,8 @@ namespace grove::objects::ground {
 
 HWY_EXPORT(shadeRow);
 
-void shadeRow(const Frame& frame, const Row& row, const SoilBetween& soil, const GrassRows& grass,
-              std::uint32_t* colour, float* depth) {
-  HWY_DYNAMIC_DISPATCH(shadeRow)(frame, row, soil, grass, colour, depth);
+void shadeRow(int row, const SoilBetween& soil, const GrassRows& grass, std::uint32_t* colour, float* depth) {
+  HWY_DYNAMIC_DISPATCH(shadeRow)(row, soil, grass, colour, depth);
 }
 
 }  // namespace grove::objects::ground

@@ -36,29 +36,28 @@ constexpr float kDark = 0.40F;
 constexpr float kMiddle = 0.85F;
 constexpr float kBright = 1.40F;
 
-/// Values that the samples of a row share: the first sample's point, the change per metre of `side`, and the light.
+/// Values that the samples of a row share.
 struct SoilRow {
-  float x, z, sideX, sideZ, firstSide, sideStep;
+  float firstSide, sideStep;
   float towards, towardsSide, inverseSunFlat;  // the sun's direction
   float lengthSquare;                          // of the ray without its sideways part
-  float clear;                                 // share without mist
-  float logTransmittance;                      // along a ray of length 1
 };
 
-SoilRow soilRowOf(const Frame& frame, const Row& row, int firstColumn, const GroundLight& light) {
+SoilRow soilRowOf(const Frame& frame, const GroundRow& row, int firstColumn, const GroundLight& light) {
   const world::Vec3 sun = light.sun;
-  return {.x = frame.eyeX + row.depth * row.ahead * frame.forwardX,
-          .z = frame.eyeZ + row.depth * row.ahead * frame.forwardZ,
-          .sideX = frame.sideX * row.depth,
-          .sideZ = frame.sideZ * row.depth,
-          .firstSide = frame.firstSide + static_cast<float>(firstColumn) * frame.sideStep,
+  return {.firstSide = frame.firstSide + static_cast<float>(firstColumn) * frame.sideStep,
           .sideStep = frame.sideStep * kCoarse,
           .towards = sun.x * row.ahead * frame.forwardX + sun.z * row.ahead * frame.forwardZ + sun.y * row.rise,
           .towardsSide = sun.x * frame.sideX + sun.z * frame.sideZ,
           .inverseSunFlat = 1.0F / std::sqrt(sun.x * sun.x + sun.z * sun.z),
-          .lengthSquare = row.ahead * row.ahead + row.rise * row.rise,
-          .clear = 1.0F - world::mistAmount(row.depth),
-          .logTransmittance = light.logTransmittance * row.depth};
+          .lengthSquare = row.ahead * row.ahead + row.rise * row.rise};
+}
+
+/// Share of the ground's colour that mist leaves, see world::mistAmount().
+HWY_INLINE Floats withoutMist(Floats distance) {
+  constexpr float kPerMetre = 1.0F / (world::kMistIsThickest - world::kMistBegins);
+  const Floats share = lanes::clamp((distance - world::kMistBegins) * kPerMetre, 0.0F, 1.0F);
+  return Floats(1.0F) - share * share * (Floats(3.0F) - share * 2.0F) * world::kMostMist;
 }
 
 /// One mip level.
@@ -153,11 +152,12 @@ HWY_INLINE void develop(Floats radiance, Floats haze, const float* HWY_RESTRICT 
   lanes::store(dark - (slope + square * kDark) * kDark + 0.5F, out.base.data() + first);
 }
 
-HWY_INLINE void sampleAt(const SoilRow& row, const Texels& level, const GroundLight& light,
+HWY_INLINE void sampleAt(const SoilRow& row, const GroundRow& ground, const Texels& level, const GroundLight& light,
                          std::span<const world::PointLight> lights, int first, SampledSoil& out) {
   const Floats side = lanes::toFloats(lanes::upwards() + Ints(first)) * row.sideStep + row.firstSide;
-  const Floats x = side * row.sideX + row.x;
-  const Floats z = side * row.sideZ + row.z;
+  const Floats x = lanes::load(ground.x.data() + first);
+  const Floats z = lanes::load(ground.z.data() + first);
+  const Floats depth = lanes::load(ground.depth.data() + first);
   const Colours lamps = lampLight(lights, x, z);
   const Corners corners = cornersAt(level, x, z);
   const Floats lit = corners.channel<0>();
@@ -180,7 +180,8 @@ HWY_INLINE void sampleAt(const SoilRow& row, const Texels& level, const GroundLi
   const Floats r = cover * (dry * (kDry.r - kLush.r) + (kLush.r - kEarth.r)) + kEarth.r;
   const Floats g = cover * (dry * (kDry.g - kLush.g) + (kLush.g - kEarth.g)) + kEarth.g;
   const Floats b = cover * (dry * (kDry.b - kLush.b) + (kLush.b - kEarth.b)) + kEarth.b;
-  const Floats through = Floats(hn::Exp(lanes::FloatTag(), (length * row.logTransmittance).raw)) * row.clear;
+  const Floats through =
+      Floats(hn::Exp(lanes::FloatTag(), (length * depth * light.logTransmittance).raw)) * withoutMist(depth);
   const Floats glow = (c4 * 0.36F + c16 * 0.30F) * (1.0F / 0.66F);
   const Floats air = Floats(1.0F) - through;
 
@@ -196,13 +197,13 @@ HWY_INLINE void sampleAt(const SoilRow& row, const Texels& level, const GroundLi
   lanes::store(grass, out.grass.data() + first);
 }
 
-void sampleSoil(const Frame& frame, const Row& row, int firstColumn, const Clearing& clearing, int level,
+void sampleSoil(const Frame& frame, const GroundRow& ground, int firstColumn, const Clearing& clearing, int level,
                 const GroundLight& light, std::span<const world::PointLight> lights, SampledSoil& out) {
   const int size = clearing.pyramid.size() >> level;
   const Texels texels{clearing.pyramid.level(level), size, static_cast<float>(size) / clearing.metres};
-  const SoilRow soilRow = soilRowOf(frame, row, firstColumn, light);
+  const SoilRow soilRow = soilRowOf(frame, ground, firstColumn, light);
   for (int first = 0; first < kCoarsePadded; first += kLanes) {
-    sampleAt(soilRow, texels, light, lights, first, out);
+    sampleAt(soilRow, ground, texels, light, lights, first, out);
   }
 }
 
@@ -216,10 +217,10 @@ namespace grove::objects::ground {
 
 HWY_EXPORT(sampleSoil);
 
-void sampleSoil(const Frame& frame, const Row& row, int firstColumn, const Clearing& clearing, int level,
+void sampleSoil(const Frame& frame, const GroundRow& ground, int firstColumn, const Clearing& clearing, int level,
                 const GroundLight& light, std::span<const world::PointLight> lights, SampledSoil& out) {
   HWY_DYNAMIC_DISPATCH(sampleSoil)
-  (frame, row, firstColumn, clearing, level, light, lights, out);
+  (frame, ground, firstColumn, clearing, level, light, lights, out);
 }
 
 }  // namespace grove::objects::ground

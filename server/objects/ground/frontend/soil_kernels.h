@@ -5,20 +5,13 @@
 #include <span>
 
 #include "objects/ground/common/clearing.h"
-#include "objects/ground/frontend/frame.h"
 #include "objects/ground/frontend/ground_light.h"
+#include "objects/ground/frontend/ground_row.h"
 #include "world/light.h"
 
 /// Kernel for light and soil, which vary slowly: they are sampled every kCoarse columns and every few rows, including
 /// air and tone curve.
 namespace grove::objects::ground {
-
-inline constexpr int kCoarse = 8;  ///< columns between samples
-inline constexpr int kCoarseSamples = kTile / kCoarse + 1;
-/// A whole number of vectors of floats on every target.
-inline constexpr int kCoarsePadded = (kCoarseSamples + 15) / 16 * 16;
-
-using SoilSamples = std::array<float, kCoarsePadded>;
 
 /// Samples along a row of a tile. The displayed value of a blade whose albedo is `q * q` times the soil's is `(square *
 /// q + slope) * q + base` for each channel, as 0..255 plus half a step for rounding. This parabola approximates the
@@ -34,7 +27,7 @@ struct SampledSoil {
 };
 
 /// Samples the tile that begins at `firstColumn`. `level` is the clearing's mip level.
-void sampleSoil(const Frame& frame, const Row& row, int firstColumn, const Clearing& clearing, int level,
+void sampleSoil(const Frame& frame, const GroundRow& ground, int firstColumn, const Clearing& clearing, int level,
                 const GroundLight& light, std::span<const world::PointLight> lights, SampledSoil& out);
 
 }  // namespace grove::objects::ground

@@ -58,6 +58,37 @@ TEST_F(GroundPictureTest, BareEarthHasPlaneDepth) {
   }
 }
 
+/// Fails if a hill is drawn beside its place, or if what it hides is visible. At the edge of a crest, pixels lie
+/// between.
+TEST_F(GroundPictureTest, HillsHaveTheirDepth) {
+  GroundMaps hilly = bare;
+  hilly.hills = {{{-4.0F, -9.0F}, 8.0F, 1.2F}, {{2.0F, -30.0F}, 12.0F, 1.0F}};
+  const world::Camera camera = cameraAt({0.0F, 1.7F, 3.0F}, -0.1F);
+  const auto image = groundImage(hilly, camera, whole(camera), {}, images);
+  ASSERT_TRUE(image);
+  const auto heightAbove = [&](world::Vec3 point) {
+    return point.y - world::groundHeight(hilly.hills, {point.x, point.z});
+  };
+  int strayed = 0;
+  int onHills = 0;
+  for (int y = image->rect.top; y < image->rect.bottom; ++y) {
+    for (int x = 0; x < camera.width; ++x) {
+      const world::Vec3 ray = camera.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+      const auto at = [&](float depth) { return camera.pose.position + depth * ray; };
+      const float depth = image->depthRow(y - image->rect.top)[x];
+      bool isHidden = false;
+      for (int share = 1; share < 20; ++share) {
+        isHidden = isHidden || heightAbove(at(depth * 0.048F * static_cast<float>(share))) < -0.03F;
+      }
+      const float above = heightAbove(at(depth));
+      if (isHidden || std::abs(above) > 0.03F + 2e-3F * depth) ++strayed;
+      if (above < 0.1F && at(depth).y > 0.2F) ++onHills;
+    }
+  }
+  EXPECT_GT(onHills, 3000);
+  EXPECT_LT(strayed, image->height() * camera.width / 100);
+}
+
 TEST_F(GroundPictureTest, GrassIsNearerThanThePlane) {
   const world::Camera camera = cameraAt({0.0F, 1.7F, 0.0F}, -0.2F);
   const auto image = groundImage(grown, camera, whole(camera), {}, images);
@@ -92,6 +123,10 @@ TEST_F(GroundPictureTest, EmptyFromBelowAndLookingUp) {
   EXPECT_FALSE(groundImage(grown, under, whole(under), {}, images));
   const world::Camera on = cameraAt({0.0F, 0.0F, 0.0F}, -0.3F);
   EXPECT_FALSE(groundImage(grown, on, whole(on), {}, images));
+  GroundMaps hilly = grown;
+  hilly.hills = {{{1.0F, 0.0F}, 10.0F, 1.0F}};
+  const world::Camera inside = cameraAt({0.0F, 0.5F, 0.0F}, -0.3F);
+  EXPECT_FALSE(groundImage(hilly, inside, whole(inside), {}, images));
   const world::Camera up = cameraAt({0.0F, 1.7F, 0.0F}, 0.9F);
   EXPECT_FALSE(groundImage(grown, up, whole(up), {}, images));
 }

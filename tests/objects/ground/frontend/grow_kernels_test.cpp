@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "each_target.h"
+#include "objects/ground/frontend/relief_kernels.h"
 
 namespace grove::objects::ground {
 namespace {
@@ -72,7 +73,9 @@ TEST(GrowKernels, MatchesScalarOnEveryTarget) {
     const auto grass = std::make_unique<GrassRows>();
     for (const Case& at : {Case{250, 0, {4, 2, 0.6F}}, Case{401, 640, {2, 1, 0.0F}}, Case{719, 960, {1, 0, 0.97F}}}) {
       const Row row = rowAt(frame, at.row);
-      growGrass(frame, row, at.firstColumn, meadow, at.sampling, {*soil, *step, 2}, *grass);
+      GroundRow ground;
+      findGround(frame, {}, at.row, at.firstColumn, nullptr, ground);
+      growGrass(frame, ground, meadow, at.sampling, {*soil, *step, 2}, *grass);
       const auto slot = static_cast<std::size_t>(at.row % kRootRows);
       int strayed = 0;
       std::int16_t highest = static_cast<std::int16_t>(at.row);

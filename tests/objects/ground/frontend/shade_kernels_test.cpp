@@ -21,6 +21,11 @@ std::array<std::uint32_t, 3> texelAt(int column) {
   return {byte, 255U - byte, 90U};
 }
 
+/// Of ground that rises to the right.
+float inverseAt(int row, int column) {
+  return -0.1F + 0.002F * static_cast<float>(row) + 1e-4F * static_cast<float>(column);
+}
+
 /// What grows where, and as what it is to be seen.
 std::unique_ptr<GrassRows> grown() {
   auto grass = std::make_unique<GrassRows>();
@@ -31,6 +36,12 @@ std::unique_ptr<GrassRows> grown() {
     const int share = static_cast<int>(shareAt(column) * kShareSteps / kRootRows);
     grass->roots[static_cast<std::size_t>(column)] = static_cast<Root>(share * kRootRows + aboveAt(column));
   }
+  for (int row = kRow; row < kRow + kRootRows; ++row) {
+    for (int sample = 0; sample < kCoarseSamples; ++sample) {
+      const auto at = static_cast<std::size_t>(row % kRootRows * kCoarsePadded + sample);
+      grass->inverseDepths[at] = inverseAt(row, sample * kCoarse);
+    }
+  }
   return grass;
 }
 
@@ -38,11 +49,6 @@ std::unique_ptr<GrassRows> grown() {
 TEST(ShadeKernels, MatchTheParabola) {
   const SampledSoil top = soilWith(0.0F);
   const SampledSoil bottom = soilWith(0.7F);
-  Frame frame;
-  frame.firstInverse = -0.1F;
-  frame.inverseStep = 0.002F;
-  Row row;
-  row.row = kRow;
   const std::unique_ptr<GrassRows> grass = grown();
   tests::onEachTarget([&] {
     const auto soil = std::make_unique<std::array<FineSoil, 3>>();
@@ -52,7 +58,7 @@ TEST(ShadeKernels, MatchTheParabola) {
     stepSoil(first, last, 2, step);
     std::array<std::uint32_t, kTile> colour{};
     std::array<float, kTile> depth{};
-    shadeRow(frame, row, {first, step, 1}, *grass, colour.data(), depth.data());
+    shadeRow(kRow, {first, step, 1}, *grass, colour.data(), depth.data());
     for (int column = 0; column < kTile; ++column) {
       const auto at = static_cast<std::size_t>(column);
       const auto mean = [&](const SoilSamples& above, const SoilSamples& below) {
@@ -68,7 +74,7 @@ TEST(ShadeKernels, MatchTheParabola) {
         ASSERT_NEAR(shown, std::clamp(exact, 0.0F, 255.5F), 1.8F) << column << ' ' << channel;
       }
       ASSERT_EQ(colour[at] >> 24U, 0xFFU);
-      const float plane = 1.0F / (-0.1F + 0.002F * static_cast<float>(kRow + aboveAt(column)));
+      const float plane = 1.0F / inverseAt(kRow + aboveAt(column), column);
       ASSERT_NEAR(depth[at], plane, 1e-5F * plane) << column;
     }
   });

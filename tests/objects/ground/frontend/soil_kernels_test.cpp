@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "each_target.h"
+#include "objects/ground/frontend/relief_kernels.h"
 #include "world/sky.h"
 
 namespace grove::objects::ground {
@@ -120,8 +121,10 @@ TEST(SoilKernels, ParabolasMatchAtThreeRoots) {
     for (const int y : {240, 300, 500, 719}) {
       for (const auto& [firstColumn, level] : {std::pair{0, 0}, {640, 1}}) {
         scene.row = rowAt(scene.frame, y);
+        GroundRow ground;
+        findGround(scene.frame, {}, y, firstColumn, nullptr, ground);
         SampledSoil soil;
-        sampleSoil(scene.frame, scene.row, firstColumn, scene.clearing, level, scene.light, scene.lights, soil);
+        sampleSoil(scene.frame, ground, firstColumn, scene.clearing, level, scene.light, scene.lights, soil);
         for (int i = 0; i < kCoarseSamples; ++i) {
           const auto at = static_cast<std::size_t>(i);
           const float side =
