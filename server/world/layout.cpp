@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "world/ground_shadow.h"
+
 namespace grove::world {
 namespace {
 
@@ -26,6 +28,14 @@ std::optional<Object> Layout::objectOf(const Player& player) const {
   object.transform.position = player.pose.position - Vec3(0, kEyeHeight, 0);
   object.transform.yaw = player.pose.yaw;
   object.bounds = object.transform.apply(visitor->bounds);
+  if (visitor->castsShadow) object.bounds.add(shadowBounds(object.bounds, sky.sun));
+  return object;
+}
+
+std::optional<Object> Layout::shadowOf(const Player& player) const {
+  std::optional<Object> object = objectOf(player);
+  if (!object || !visitor->castsShadow) return std::nullopt;
+  object->bounds = shadowBounds(object->transform.apply(visitor->bounds), sky.sun);
   return object;
 }
 

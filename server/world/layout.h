@@ -21,8 +21,9 @@ struct FlickeringLight {
 /// The object that shows a visitor to the others, at the origin.
 struct VisitorTemplate {
   Object object;
-  Bounds bounds;            ///< in its own coordinates
-  bool hasOwnBody = false;  ///< see Model::hasOwnBody()
+  Bounds bounds;             ///< in its own coordinates, without its shadow
+  bool hasOwnBody = false;   ///< see Model::hasOwnBody()
+  bool castsShadow = false;  ///< see Model::castsShadow()
 };
 
 /// The layout of a world, known to every node. Constant during the world's life.
@@ -41,8 +42,11 @@ struct Layout {
   /// Obstacles that visitors walk around.
   [[nodiscard]] std::vector<Obstacle> obstacles() const;
 
-  /// The object that shows a visitor to the others.
+  /// The object that shows a visitor to the others. Its bounds include its shadow.
   [[nodiscard]] std::optional<Object> objectOf(const Player& player) const;
+
+  /// The part of that object which is only shadow; nothing if it has none.
+  [[nodiscard]] std::optional<Object> shadowOf(const Player& player) const;
 
   /// The world's fixed lights, and the lantern of each of these players; `now` is the world clock.
   [[nodiscard]] std::vector<PointLight> lightsAt(double now, const std::vector<Player>& players) const;

@@ -31,6 +31,9 @@ class Model {
   /// For visitors' models: whether pictures for the visitor themselves show only the visible part of their own body.
   [[nodiscard]] virtual bool hasOwnBody() const { return false; }
 
+  /// For visitors' models: whether pictures show the shadow of the sun, too. Visitors see their own one.
+  [[nodiscard]] virtual bool castsShadow() const { return false; }
+
   /// Memory use, including mapped files.
   [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "world/ground_shadow.h"
+
 namespace grove::world {
 namespace {
 
@@ -26,6 +28,28 @@ TEST(Layout, PlacesVisitorsByTheTemplate) {
   EXPECT_FLOAT_EQ(object->transform.yaw, 0.5F);
   EXPECT_FLOAT_EQ(object->bounds.low.y, 0.0F) << "on the ground";
   EXPECT_FLOAT_EQ(object->bounds.centre().x, 3.0F);
+}
+
+/// Would catch shadows that are cut off where their object's bounds end.
+TEST(Layout, BoundsOfVisitorsIncludeTheirShadows) {
+  Layout layout;
+  layout.sky.sun = glm::normalize(Vec3(0.0F, 0.5F, -1.0F));
+  layout.visitor.emplace();
+  layout.visitor->bounds = {Vec3(-0.5F, 0.0F, -0.5F), Vec3(0.5F, 2.0F, 0.5F)};
+  Player player;
+  player.pose.position = {3.0F, kEyeHeight, -2.0F};
+  EXPECT_FALSE(layout.shadowOf(player));
+  EXPECT_FLOAT_EQ(layout.objectOf(player)->bounds.high.z, -1.5F);
+  layout.visitor->castsShadow = true;
+  const Bounds whole = layout.objectOf(player)->bounds;
+  EXPECT_FLOAT_EQ(whole.low.z, -2.5F);
+  EXPECT_FLOAT_EQ(whole.high.z, -1.5F + 2.0F / 0.5F) << "away from the sun by height / tan(elevation)";
+  EXPECT_FLOAT_EQ(whole.high.y, 2.0F);
+  const Bounds shadow = layout.shadowOf(player)->bounds;
+  EXPECT_FLOAT_EQ(shadow.high.z, whole.high.z);
+  EXPECT_LT(shadow.high.y, 0.2F) << "it lies on the ground";
+  layout.sky.sun = glm::normalize(Vec3(0.0F, -0.1F, -1.0F));
+  EXPECT_LE(layout.objectOf(player)->bounds.high.z, -1.499F + kLongestShadow) << "the sun has set";
 }
 
 TEST(Layout, LightsAreSceneLightsAndLanterns) {

@@ -207,7 +207,8 @@ NodeWelcome BackendNode::welcome() const {
     welcome.objects.push_back({object.id, object.type, object.name, object.bounds, object.obstacleRadius});
   }
   if (visitors_ != nullptr) {
-    welcome.visitors = {scene_.layout.visitor->bounds, scene_.layout.visitor->hasOwnBody};
+    const world::VisitorTemplate& visitor = *scene_.layout.visitor;
+    welcome.visitors = {visitor.bounds, visitor.hasOwnBody, visitor.castsShadow};
   }
   return welcome;
 }

@@ -30,6 +30,7 @@ void describe(world::Layout& layout, const NodeWelcome& welcome) {
   if (!layout.visitor) failAt("objects of visitors");
   layout.visitor->bounds = welcome.visitors->bounds;
   layout.visitor->hasOwnBody = welcome.visitors->hasOwnBody;
+  layout.visitor->castsShadow = welcome.visitors->castsShadow;
 }
 
 world::Layout described(world::Layout layout, const std::vector<NodeWelcome>& welcomes) {

@@ -30,8 +30,8 @@ std::vector<VisibleObject> visibleObjects(const world::Layout& layout, const Vie
   for (const world::Object& object : layout.objects) consider(object);
   const bool seesOwnBody = layout.visitor && layout.visitor->hasOwnBody && view.camera.pose.pitch < kLookingDown;
   for (const world::Player& player : view.players) {
-    if (player.id == view.viewer && !seesOwnBody) continue;
-    if (const auto object = layout.objectOf(player)) consider(*object);
+    const bool isWhole = player.id != view.viewer || seesOwnBody;
+    if (const auto object = isWhole ? layout.objectOf(player) : layout.shadowOf(player)) consider(*object);
   }
   // Ids decide between equal distances, so that the order does not depend on the order of the list.
   std::ranges::sort(visible, [](const VisibleObject& a, const VisibleObject& b) {

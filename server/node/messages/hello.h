@@ -41,6 +41,7 @@ struct ServedObject {
 struct ServedVisitors {
   world::Bounds bounds;
   bool hasOwnBody = false;
+  bool castsShadow = false;
 };
 
 /// A backend node's response to a hello.

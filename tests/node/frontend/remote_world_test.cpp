@@ -63,10 +63,12 @@ class RemoteWorldTest : public ::testing::Test {
   const ServedObject sapling{.id = 2, .name = "", .bounds = {{-1, 0, -1}, {1, 5, 1}}};
 };
 
-/// Would catch objects that nobody sees, trees that one walks through, and bodies that nobody has.
+/// Would catch objects that nobody sees, trees that one walks through, and bodies and shadows that nobody has.
 TEST_F(RemoteWorldTest, LayoutCombinesFileAndNodes) {
-  const RemoteWorld world = worldOf(
-      welcomeOf({oak}), welcomeOf({sapling}, ServedVisitors{.bounds = {{-1, 0, -1}, {1, 2, 1}}, .hasOwnBody = true}));
+  const RemoteWorld world =
+      worldOf(welcomeOf({oak}),
+              welcomeOf({sapling},
+                        ServedVisitors{.bounds = {{-1, 0, -1}, {1, 2, 1}}, .hasOwnBody = true, .castsShadow = true}));
   const world::Layout& layout = world.layout();
   ASSERT_EQ(layout.objects.size(), 2U);
   EXPECT_EQ(layout.objects[0].name, "oak");
@@ -80,6 +82,7 @@ TEST_F(RemoteWorldTest, LayoutCombinesFileAndNodes) {
   ASSERT_TRUE(layout.visitor);
   EXPECT_EQ(layout.visitor->bounds.high, (world::Vec3{1, 2, 1}));
   EXPECT_TRUE(layout.visitor->hasOwnBody);
+  EXPECT_TRUE(layout.visitor->castsShadow);
   EXPECT_EQ(world.links().size(), 2U);
 }
 

@@ -111,6 +111,33 @@ TEST(SceneAnalyzer, ShowsTheOwnBodyWhenLookingDown) {
   EXPECT_THAT(seenAt(0.0F), ElementsAre());
 }
 
+/// Would catch a visitor without a shadow of his own, one who is asked for where it cannot be seen, and other visitors
+/// whose shadows vanish with their bodies.
+TEST(SceneAnalyzer, ShowsShadowsWithoutTheirBodies) {
+  world::Layout layout = layoutOf("[visitor]\ntype='box'");
+  layout.sky.sun = glm::normalize(world::Vec3(0, 0.2F, 1));
+  world::World world(layout);
+  View view = lookingAlong(0.0F);
+  view.viewer = world.players().join("me", 0.0);
+  view.players = world.players().all(0.0);
+  view.camera.pose = view.players[0].pose;
+  constexpr float kAway = 0.0F;
+  constexpr float kTowardsTheSun = 3.14159F;
+  const auto seenAt = [&](float yaw) {
+    view.camera.pose.yaw = yaw;
+    return names(visibleObjects(layout, view));
+  };
+  EXPECT_THAT(seenAt(kAway), ElementsAre());
+  layout.visitor->castsShadow = true;
+  EXPECT_THAT(seenAt(kAway), ElementsAre("me"));
+  EXPECT_THAT(seenAt(kTowardsTheSun), ElementsAre());
+  view.viewer = 0;
+  view.camera.pose.position.z -= 3.0F;
+  EXPECT_THAT(seenAt(kAway), ElementsAre("me")) << "who stands behind the eye";
+  layout.visitor->castsShadow = false;
+  EXPECT_THAT(seenAt(kAway), ElementsAre());
+}
+
 TEST(SceneAnalyzer, KeepsTheNearestOfTooMany) {
   std::string scene;
   for (int i = 0; i < static_cast<int>(kMaxObjectsPerFrame) + 50; ++i) {

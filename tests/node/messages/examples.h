@@ -140,7 +140,8 @@ inline NodeWelcome welcome() {
                        .bounds = {{-1.0F, 0.0F, -1.0F}, {1.0F, 8.0F, 1.0F}},
                        .obstacleRadius = 0.4F},
                       {.id = 10, .type = 0, .name = "", .bounds = {}}},
-          .visitors = ServedVisitors{.bounds = {{-0.5F, 0.0F, -0.5F}, {0.5F, 2.0F, 0.5F}}, .hasOwnBody = true}};
+          .visitors = ServedVisitors{
+              .bounds = {{-0.5F, 0.0F, -0.5F}, {0.5F, 2.0F, 0.5F}}, .hasOwnBody = true, .castsShadow = true}};
 }
 
 inline NodeReport report() {

@@ -35,6 +35,7 @@ LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types, cons
     loaded.visitor = modelOf(*scene.visitor, types);
     loaded.layout.visitor->bounds = loaded.visitor->bounds();
     loaded.layout.visitor->hasOwnBody = loaded.visitor->hasOwnBody();
+    loaded.layout.visitor->castsShadow = loaded.visitor->castsShadow();
   }
   for (const auto& [name, parameters] : scene.typeOptions) {
     const BackendType* const type = types.find(name);

@@ -37,7 +37,10 @@ NodeWelcome decode(const v1::NodeWelcome& from, Checks& checks) {
                           .bounds = boundsOf(object, checks),
                           .obstacleRadius = radius});
   }
-  if (from.has_visitors()) to.visitors = {boundsOf(from.visitors(), checks), from.visitors().own_body()};
+  if (from.has_visitors()) {
+    const v1::ServedVisitors& visitors = from.visitors();
+    to.visitors = {boundsOf(visitors, checks), visitors.own_body(), visitors.shadow()};
+  }
   return to;
 }
 

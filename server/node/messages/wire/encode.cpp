@@ -171,6 +171,7 @@ void put(const NodeWelcome& from, v1::ToFrontend& envelope) {
   if (from.visitors) {
     putBounds(from.visitors->bounds, *to.mutable_visitors());
     to.mutable_visitors()->set_own_body(from.visitors->hasOwnBody);
+    to.mutable_visitors()->set_shadow(from.visitors->castsShadow);
   }
   for (const ServedObject& object : from.objects) {
     v1::ServedObject& served = *to.add_objects();

@@ -96,6 +96,7 @@ TEST(Wire, CarriesWelcomeAndRefusal) {
   ASSERT_TRUE(got.visitors);
   EXPECT_EQ(got.visitors->bounds.high, (world::Vec3{0.5F, 2.0F, 0.5F}));
   EXPECT_TRUE(got.visitors->hasOwnBody);
+  EXPECT_TRUE(got.visitors->castsShadow);
   EXPECT_EQ(got.objects[0].obstacleRadius, 0.4F);
   ASSERT_EQ(got.objects.size(), 2u);
   EXPECT_EQ(got.objects[0].id, 9u);
