@@ -5,10 +5,11 @@
 #include <set>
 
 #include "node/backend_stand.h"
-#include "objects/figure/backend/contact_shadow.h"
 #include "objects/figure/backend/figure_backend.h"
 #include "objects/figure/common/stature.h"
+#include "objects/figure/shown_picture.h"
 #include "objects/figure/visitors_in_sight.h"
+#include "world/ground_shadow.h"
 
 namespace grove::objects::figure {
 namespace {
@@ -51,29 +52,6 @@ class FigureTest : public testing::Test {
   tests::BackendStand stand_;
 };
 
-/// An answer's picture, where its spans leave nothing out.
-struct Picture {
-  explicit Picture(const node::Payload& payload) {
-    const auto& image = *std::get<std::shared_ptr<const raster::Image>>(payload);
-    rect = image.rect;
-    colour.resize(image.colour.size());
-    depth.resize(image.depth.size(), world::kInfiniteDepth);
-    for (int row = 0; row < image.height(); ++row) {
-      const raster::Span span = image.span(row);
-      for (int x = span.begin; x < span.end; ++x) {
-        const auto at =
-            static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width()) + static_cast<std::size_t>(x);
-        colour[at] = image.colour[at];
-        depth[at] = image.depth[at];
-      }
-    }
-  }
-
-  world::Rect rect;
-  std::vector<std::uint32_t> colour;
-  std::vector<float> depth;
-};
-
 /// Sums of red and of blue over an image.
 std::pair<double, double> redAndBlue(const Picture& image) {
   std::pair<double, double> sums;
@@ -98,78 +76,70 @@ TEST_F(FigureTest, ShowsTheVisitorsColour) {
 }
 
 TEST_F(FigureTest, StandsAtItsPosition) {
+  world_.scene.layout.sky.sun = {0, -1, 0};  // no shadow
   const world::Player player = playerAt(1, {0, 0, -4});
   const auto payloads = ask(look({visitor(1, {0, 0, -4})}, {player}));
   const Picture image(payloads[0]);
-  const float nearest = *std::ranges::min_element(image.depth);
+  float nearest = world::kInfiniteDepth;
+  for (std::size_t i = 0; i < image.depth.size(); ++i) {
+    if (image.colour[i] >> 24U == 0xFFU) nearest = std::min(nearest, image.depth[i]);
+  }
   EXPECT_GT(nearest, 3.4F);
   EXPECT_LT(nearest, 4.0F);
 }
 
-/// Whether a pixel only darkens what is behind: of the figure's outline, the least covered pixels are as black.
-bool isShade(std::uint32_t colour) {
-  const std::uint32_t opacity = colour >> 24U;
-  return opacity > 8 && opacity < 255 && (colour & 0x00FFFFFFU) == 0U;
-}
-
-/// Pixels that show the figure as a whole, and those of its shadow.
-std::pair<std::size_t, std::size_t> solidAndShade(const Picture& image) {
-  std::pair<std::size_t, std::size_t> counts;
-  for (std::size_t i = 0; i < image.depth.size(); ++i) {
-    if (image.depth[i] >= world::kInfiniteDepth) continue;
-    if (image.colour[i] >> 24U == 0xFFU) ++counts.first;
-    if (isShade(image.colour[i])) ++counts.second;
-  }
-  return counts;
-}
-
-TEST_F(FigureTest, CastsASoftShadow) {
-  const Vec3 place(0, 0, -4);
+/// Would catch a figure without its shadow, or with that of another place.
+TEST_F(FigureTest, CastsAShadowAwayFromTheSun) {
+  const Vec3 place(0, 0, -8);
+  const Vec3 aside(1, 0, 0);
+  world_.scene.layout.sky.sun = glm::normalize(Vec3(-1, 0.5F, 0));
   const auto list = look({visitor(1, place)}, {playerAt(1, place)});
+  list->objects[0].rect = {0, 0, list->view->camera.width, list->view->camera.height};
   const Picture image(ask(list)[0]);
-  EXPECT_GT(solidAndShade(image).second, 100U);
-  const world::Camera& camera = list->view->camera;
-  for (int y = image.rect.top; y < image.rect.bottom; ++y) {
-    for (int x = image.rect.left; x < image.rect.right; ++x) {
-      const auto at = static_cast<std::size_t>((y - image.rect.top) * image.rect.width() + x - image.rect.left);
-      if (image.depth[at] >= world::kInfiniteDepth || !isShade(image.colour[at])) continue;
-      const Vec3 point = camera.pose.position +
-                         image.depth[at] * camera.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-      ASSERT_NEAR(point.y, 0.1F, 0.01F);
-      ASSERT_LT(glm::distance(point, place), kShadowRadius + 0.1F);
-    }
-  }
+  const float height = kFigureHeight * kStatures[1].height;
+  const auto shadeAt = [&](float metres) {
+    const Vec3 point = place + Vec3(0, world::kShadowPlane, 0) + metres * aside;
+    return image.shadeAt(list->view->camera.project(point));
+  };
+  EXPECT_GT(shadeAt(0.3F * height / 0.5F), 0.2F);
+  EXPECT_GT(shadeAt(0.8F * height / 0.5F), 0.2F);
+  EXPECT_LT(shadeAt(1.2F * height / 0.5F), 0.02F);
+  EXPECT_LT(shadeAt(-0.3F * height / 0.5F), 0.02F);
 }
 
-/// Where the eye is nearest to a shadow, part of it lies behind the near plane and its rectangle is the whole frame.
-TEST_F(FigureTest, OwnShadowTouchesOnlyItsPixels) {
-  const Vec3 place(0.1F, 0, -0.3F);
-  auto view = std::make_shared<node::View>(*look({visitor(1, place)}, {playerAt(1, place)})->view);
-  world::Camera& camera = view->camera;
-  camera.pose.position = {0, world::kEyeHeight, 0};
-  camera.pose.pitch = -1.1F;
-  const auto image = raster::ImagePool().acquire({0, 0, camera.width, camera.height});
-  std::ranges::fill(image->depth, world::kInfiniteDepth);
-  image->spans.assign(static_cast<std::size_t>(camera.height), raster::Span{});
-  layContactShadow(place, camera, *image);
-  int shaded = 0;
-  for (int y = 0; y < camera.height; ++y) {
-    const raster::Span span = image->span(y);
-    for (int x = 0; x < camera.width; ++x) {
-      const Vec3 ray = camera.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-      const Vec3 point = camera.pose.position + (0.1F - camera.pose.position.y) / ray.y * ray;
-      const float distance = glm::distance(point, place + Vec3(0, 0.1F, 0));
-      const bool isIn = x >= span.begin && x < span.end;
-      if (distance < kShadowRadius - 0.01F) {
-        ASSERT_TRUE(isIn && image->depthRow(y)[x] < world::kInfiniteDepth) << x << ' ' << y;
-        ++shaded;
-      }
-      if (distance > kShadowRadius + 0.01F) {
-        ASSERT_FALSE(isIn) << x << ' ' << y;
-      }
-    }
-  }
-  EXPECT_GT(shaded, 3000);
+/// Would catch visitors without their own shadows, and those who see themselves from inside.
+TEST_F(FigureTest, OwnShadowShowsWithoutTheFigure) {
+  const Vec3 place(0, 0, 0);
+  world_.scene.layout.sky.sun = glm::normalize(Vec3(0, 0.2F, 1));
+  world::Player player = playerAt(1, place);
+  player.pose.yaw = 0.2F;
+  auto list = look({visitor(1, place)}, {player});
+  auto view = std::make_shared<node::View>(*list->view);
+  view->viewer = 1;
+  view->camera.pose = player.pose;
+  list->view = view;
+  list->objects[0].rect = {0, 0, view->camera.width, view->camera.height};
+  const node::Payload payload = ask(list)[0];
+  ASSERT_NE(std::get<std::shared_ptr<const raster::Image>>(payload), nullptr);
+  const auto [solid, shade] = solidAndShade(Picture(payload));
+  EXPECT_EQ(solid, 0U);
+  EXPECT_GT(shade, 100U);
+}
+
+/// Would catch requests that cost a whole picture though there is nothing to see.
+TEST_F(FigureTest, PicturesAreNoLargerThanFigureAndShadow) {
+  const Vec3 place(0, 0, -8);
+  world_.scene.layout.sky.sun = glm::normalize(Vec3(-1, 0.5F, 0));
+  const auto list = look({visitor(1, place), visitor(2, place + Vec3(0, 0, 30))},
+                         {playerAt(1, place), playerAt(2, place + Vec3(0, 0, 30))});
+  const world::Rect whole{0, 0, list->view->camera.width, list->view->camera.height};
+  for (node::VisibleObject& object : list->objects) object.rect = whole;
+  const auto payloads = ask(list);
+  const auto picture = std::get<std::shared_ptr<const raster::Image>>(payloads[0]);
+  ASSERT_NE(picture, nullptr);
+  const world::Rect rect = picture->rect;
+  EXPECT_LT(rect.width() * rect.height(), whole.width() * whole.height() / 4);
+  EXPECT_EQ(std::get<std::shared_ptr<const raster::Image>>(payloads[1]), nullptr) << "it is behind the eye";
 }
 
 TEST_F(FigureTest, VisitorsDifferInStature) {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "gl/renderer_choice.h"
-#include "objects/figure/backend/contact_shadow.h"
 #include "objects/figure/backend/gait.h"
+#include "objects/figure/backend/shadow/shadow_layer.h"
 #include "objects/figure/common/stature.h"
 #include "raster/shading/light_bake.h"
 
@@ -15,6 +15,8 @@ namespace grove::objects::figure {
 namespace {
 
 constexpr float kChestHeight = 1.2F;
+/// Metres above the ground up to which visitors see their own figure.
+constexpr float kOwnHeight = 0.5F;
 
 /// Converts a display colour 0x00BBGGRR to linear light.
 world::Vec3 linear(std::uint32_t colour) {
@@ -44,55 +46,71 @@ FigureBackend::FigureBackend(const node::BackendServices& services, raster::Rend
       executor_(raster::executorFor(gl::resolved(kind, services.gl), services.gl, services.workers)),
       figures_(makeFigures()),
       own_(makeOwnFigure()),
+      masks_(figures_, layout_.visitor ? layout_.visitor->object.transform.scale : 1.0F, layout_.sky.sun,
+             services.memory),
+      sun_(layout_.radius + world::kLongestShadow, layout_.sky.sun, geometry_.rays(), services.memory),
       renderer_(raster::makeRenderer(gl::resolved(kind, services.gl), services.gl, services.images,
                                      {services.memory, "figure"})),
       held_(services.memory, "surfaces", "figure", pipeline::Work::kAcrossUser, bytesOf(figures_) + own_.bytes()) {}
 
 void FigureBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
+  std::vector<Figure> figures;
   std::vector<raster::Drawing> drawings;
   std::vector<std::size_t> slots;
-  std::vector<world::Vec3> places;
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    const node::Request& request = requests[i];
-    if (request.shared) {
+    if (requests[i].shared) {
       payloads[i] = node::Failure{"figures return only pictures"};
       continue;
     }
     payloads[i] = std::shared_ptr<const raster::Image>();
-    if (!request.player) continue;
-    const auto object = layout_.objectOf(*request.player);
-    if (!object || object->id != request.object) continue;
-    drawings.push_back(drawingOf(request, *request.player, *object));
-    places.push_back(object->transform.position);
+    std::optional<Figure> figure = figureOf(requests[i]);
+    if (!figure) continue;
+    drawings.push_back(figure->drawing);
+    figures.push_back(std::move(*figure));
     slots.push_back(i);
   }
   std::vector<std::shared_ptr<raster::Image>> images(drawings.size());
   renderer_->render(drawings, images);
   for (std::size_t i = 0; i < slots.size(); ++i) {
-    if (images[i]) layContactShadow(places[i], *drawings[i].camera, *images[i]);
+    if (images[i]) layShadows(figures[i].place, figures[i].shadow, *drawings[i].camera, *images[i]);
     payloads[slots[i]] = std::shared_ptr<const raster::Image>(std::move(images[i]));
   }
 }
 
-raster::Drawing FigureBackend::drawingOf(const node::Request& request, const world::Player& player,
-                                         const world::Object& object) const {
+std::optional<FigureBackend::Figure> FigureBackend::figureOf(const node::Request& request) {
+  if (!request.player) return std::nullopt;
+  const world::Player& player = *request.player;
+  const auto object = layout_.objectOf(player);
+  if (!object || object->id != request.object) return std::nullopt;
   const node::View& view = *request.view;
   const std::size_t stature = statureOf(player.id);
-  world::Transform transform = object.transform;
+  world::Transform transform = object->transform;
   const bool isOwn = player.id == view.viewer;
   if (!isOwn) transform.scale *= kStatures[stature].height;
-  raster::Drawing drawing;
+  // The object's own bounds and distance include its shadow.
+  world::Bounds body = transform.apply(layout_.visitor->bounds);
+  if (isOwn) body.high.y = transform.position.y + kOwnHeight;
+  Figure figure{{}, transform.position, shadowOf(player, transform.position, view.camera)};
+  raster::Drawing& drawing = figure.drawing;
   drawing.object = isOwn ? &own_ : &figures_[stature];
   drawing.camera = &view.camera;
   drawing.sky = &layout_.sky;
-  drawing.rect = request.rect;
-  drawing.distance = request.distance / transform.scale;
+  drawing.rect = world::overlap(request.rect, rectOf(body, figure.shadow, view.camera));
+  drawing.distance = glm::distance(body.centre(), view.camera.pose.position) / transform.scale;
   drawing.bones = bonesOf(player, transform);
   drawing.tint = linear(player.colour);
   drawing.sunShare =
       raster::sunAt(transform.position + world::Vec3(0.0F, kChestHeight, 0.0F), layout_.sky.sun, geometry_.rays());
-  drawing.lamps = raster::chooseLamps(view.lights, object.bounds);
-  return drawing;
+  drawing.lamps = raster::chooseLamps(view.lights, body);
+  return figure;
+}
+
+std::optional<SunShadow> FigureBackend::shadowOf(const world::Player& player, world::Vec3 place,
+                                                 const world::Camera& camera) {
+  const bool isSunUp = layout_.sky.sun.y > SunShadow::kLowestSun;
+  if (!isSunUp || glm::distance(place, camera.pose.position) > SunShadow::kFarthest) return std::nullopt;
+  return std::optional<SunShadow>(std::in_place, place, *masks_.of(ShadowPose::of(player)), masks_.sun(), sun_,
+                                  layout_.sky, camera);
 }
 
 }  // namespace grove::objects::figure

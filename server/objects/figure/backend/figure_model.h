@@ -13,6 +13,7 @@ class FigureModel final : public world::Model {
     return {world::Vec3(-0.5F, 0, -0.6F), world::Vec3(0.5F, 1.98F, 0.6F)};
   }
   [[nodiscard]] bool hasOwnBody() const override { return true; }
+  [[nodiscard]] bool castsShadow() const override { return true; }
 };
 
 }  // namespace grove::objects::figure

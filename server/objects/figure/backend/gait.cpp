@@ -11,8 +11,7 @@ namespace {
 using world::Mat4;
 using world::Vec3;
 
-constexpr float kStrideMetres = 1.5F;  // two steps
-constexpr float kSwing = 0.34F;        // amplitude of a leg at full speed, radians
+constexpr float kSwing = 0.34F;  // amplitude of a leg at full speed, radians
 
 /// Rotates about a sideways axis at this height.
 Mat4 swung(const Mat4& body, float height, float angle) {
@@ -22,9 +21,13 @@ Mat4 swung(const Mat4& body, float height, float angle) {
 
 }  // namespace
 
+float paceOf(const world::Player& player) noexcept {
+  return std::min(1.0F, std::hypot(player.velocity.x, player.velocity.z) / world::kWalkSpeed);
+}
+
 std::array<Mat4, raster::kMaxBones> bonesOf(const world::Player& player, const world::Transform& transform) {
-  const float phase = player.stride * 6.2831853F / kStrideMetres;
-  const float pace = std::min(1.0F, std::hypot(player.velocity.x, player.velocity.z) / world::kWalkSpeed);
+  const float phase = player.stride * kTurn / kStrideMetres;
+  const float pace = paceOf(player);
   const float swing = kSwing * pace * std::sin(phase);
   Mat4 body = transform.matrix();
   body = glm::translate(body, Vec3(0.0F, 0.025F * pace * std::abs(std::cos(phase)), 0.0F));
