@@ -23,7 +23,9 @@ void Bounds::add(const Bounds& other) noexcept {
 }
 
 Mat4 Transform::matrix() const {
-  const Mat4 moved = glm::translate(Mat4(1.0F), position);
+  Mat4 moved = glm::translate(Mat4(1.0F), position);
+  moved[0].y = slope.x;
+  moved[2].y = slope.y;
   return glm::scale(glm::rotate(moved, yaw, Vec3(0, 1, 0)), Vec3(scale));
 }
 

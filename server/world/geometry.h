@@ -33,11 +33,13 @@ struct Bounds {
   void add(const Bounds& other) noexcept;
 };
 
-/// Placement of an object: rotated about Y, scaled uniformly.
+/// Placement of an object: scaled uniformly, rotated about Y, and sheared, so that it lies on a slope and what is
+/// upright stays upright.
 struct Transform {
   Vec3 position{0.0F};
   float yaw = 0.0F;  ///< radians, counter-clockwise seen from above
   float scale = 1.0F;
+  Vec2 slope{0.0F};  ///< of the ground, along the world's x and z
 
   [[nodiscard]] Mat4 matrix() const;
   [[nodiscard]] Bounds apply(const Bounds& bounds) const;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "world/hills.h"
 #include "world/light.h"
 #include "world/object.h"
 #include "world/players.h"
@@ -35,6 +36,7 @@ struct Layout {
   std::optional<VisitorTemplate> visitor;  ///< none: visitors are invisible
   std::vector<FlickeringLight> lights;
   Sky sky;
+  std::vector<Hill> hills;  ///< of the ground
   Vec3 spawn{0.0F};
   float spawnYaw = 0.0F;
   float radius = 30.0F;

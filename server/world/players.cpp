@@ -21,8 +21,14 @@ constexpr std::array<std::uint32_t, 8> kColours = {0x4FB4FF, 0xFFC46A, 0x7CE38B,
 
 }  // namespace
 
-Players::Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles, PlayerId base)
-    : spawn_(spawn), spawnYaw_(spawnYaw), radius_(radius), obstacles_(std::move(obstacles)), nextId_(base + 1) {}
+Players::Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles, std::vector<Hill> hills,
+                 PlayerId base)
+    : spawn_(spawn),
+      spawnYaw_(spawnYaw),
+      radius_(radius),
+      obstacles_(std::move(obstacles)),
+      hills_(std::move(hills)),
+      nextId_(base + 1) {}
 
 PlayerId Players::join(const std::string& name, double now) {
   const std::lock_guard lock(mutex_);
@@ -35,6 +41,7 @@ PlayerId Players::join(const std::string& name, double now) {
   player.colour = kColours[(id - 1) % kColours.size()];
   player.pose.yaw = spawnYaw_;
   player.pose.position = placeOfArrival(id, spawn_, spawnYaw_);
+  standOnGround(player.pose.position);
   entries_.emplace(id, entry);
   ++changes_;
   return id;
@@ -136,7 +143,10 @@ void Players::step(Player& player, float seconds) const {
   player.pose.position.x = place.x;
   player.pose.position.z = place.y;
   player.stride += glm::length(player.pose.position - before);
+  standOnGround(player.pose.position);
 }
+
+void Players::standOnGround(Vec3& eye) const { eye.y = kEyeHeight + groundHeight(hills_, {eye.x, eye.z}); }
 
 // Arriving visitors do not overlap.
 Vec3 placeOfArrival(PlayerId id, Vec3 spawn, float spawnYaw) {

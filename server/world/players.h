@@ -13,6 +13,7 @@
 
 #include "world/camera.h"
 #include "world/geometry.h"
+#include "world/hills.h"
 
 namespace grove::world {
 
@@ -58,9 +59,10 @@ struct Obstacle {
 /// pressed keys have moved them by then, so there is no tick to wait for. Any thread.
 class Players {
  public:
-  /// Visitors arrive around `spawn` and stay within `radius` metres of the origin. Ids count from `base` + 1; the low
-  /// 32 bits of `base` are 0.
-  Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles, PlayerId base = 0);
+  /// Visitors arrive around `spawn`, walk on the ground that the `hills` make, and stay within `radius` metres of the
+  /// origin. Ids count from `base` + 1; the low 32 bits of `base` are 0.
+  Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles, std::vector<Hill> hills = {},
+          PlayerId base = 0);
 
   /// `now` is the monotonic clock in seconds, everywhere in this class.
   PlayerId join(const std::string& name, double now);
@@ -86,6 +88,7 @@ class Players {
   };
   void advance(Entry& entry, double now) const;
   void step(Player& player, float seconds) const;
+  void standOnGround(Vec3& eye) const;
   /// Takes from a velocity what leads out of the world, the more the closer the end is, and turns part of it along the
   /// end.
   [[nodiscard]] Vec3 turnedAlongTheEnd(Vec3 position, Vec3 velocity) const;
@@ -94,6 +97,7 @@ class Players {
   const float spawnYaw_;
   const float radius_;
   const std::vector<Obstacle> obstacles_;
+  const std::vector<Hill> hills_;
   mutable std::mutex mutex_;
   std::map<PlayerId, Entry> entries_;
   PlayerId nextId_;

@@ -39,8 +39,8 @@ class Walk {
 };
 
 /// Reads a walk: lines of `seconds x z yaw pitch`, or `seconds x y z yaw pitch`, metres and radians as in Pose; without
-/// y, the eye is at a visitor's height. `#` begins a comment. Throws WalkError (bad file) or EnvironmentError (no such
-/// file, not a regular file, or more than 16 MiB).
+/// y, the eye is at a visitor's height. Heights count from the ground. `#` begins a comment. Throws WalkError (bad
+/// file) or EnvironmentError (no such file, not a regular file, or more than 16 MiB).
 [[nodiscard]] Walk loadWalk(const std::filesystem::path& file);
 
 /// The same from text; `fileName` is for messages.

@@ -23,6 +23,22 @@ TEST(Transform, BoundsContainTheTurnedBox) {
   EXPECT_NEAR(turned.high.y, 2.0F, 1e-5F);
 }
 
+/// Fails if what stands on a slope is not upright, or a tile on it does not lie on it.
+TEST(Transform, LeansWithTheGround) {
+  Transform transform;
+  transform.position = {3.0F, 1.0F, -2.0F};
+  transform.yaw = 0.8F;
+  transform.scale = 2.0F;
+  transform.slope = {0.2F, -0.1F};
+  const auto placed = [&](Vec3 point) { return Vec3(transform.matrix() * Vec4(point, 1.0F)); };
+  EXPECT_EQ(placed(Vec3(0.0F)), transform.position);
+  EXPECT_LT(glm::distance(placed({0.0F, 1.0F, 0.0F}), Vec3(3.0F, 3.0F, -2.0F)), 1e-5F);
+  for (const Vec3 point : {Vec3(1.0F, 0.0F, 0.0F), Vec3(0.3F, 0.0F, -2.0F)}) {
+    const Vec3 there = placed(point);
+    EXPECT_NEAR(there.y, 1.0F + 0.2F * (there.x - 3.0F) - 0.1F * (there.z + 2.0F), 1e-5F);
+  }
+}
+
 TEST(Transform, EmptyStaysEmpty) { EXPECT_TRUE(Transform{}.apply(Bounds{}).empty()); }
 
 TEST(Triangles, AppendMovesPositionsAndIndices) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -13,7 +14,7 @@ Players inTheOpen() { return {Vec3(0, 0, 0), 0.0F, 30.0F, {}}; }
 
 TEST(Players, IdsStartAtTheBase) {
   constexpr PlayerId kBase = PlayerId{7} << 32U;
-  Players players(Vec3(0, 0, 0), 0.0F, 12.0F, {}, kBase);
+  Players players(Vec3(0, 0, 0), 0.0F, 12.0F, {}, {}, kBase);
   const PlayerId first = players.join("first", 0.0);
   EXPECT_EQ(first, kBase + 1);
   Players alone(Vec3(0, 0, 0), 0.0F, 12.0F, {});
@@ -53,6 +54,23 @@ TEST(Players, StayOutsideOfStonesAndWithinTheWorld) {
     EXPECT_GE(std::hypot(p.x - 0.1F, p.z + 5.0F), 1.3F);
     EXPECT_LE(std::hypot(p.x, p.z), 12.001F);
   }
+}
+
+// Fault: visitors walk through a hill, or above the ground behind it.
+TEST(Players, WalkOverHills) {
+  const std::vector<Hill> hills{{{0.0F, -10.0F}, 8.0F, 1.4F}};
+  Players players(Vec3(0, 0, -3.0F), 0.0F, 30.0F, {}, hills);
+  const PlayerId id = players.join("a", 0.0);
+  EXPECT_GT(players.find(id, 0.0)->pose.position.y, kEyeHeight + 0.05F) << "arrives on its foot";
+  ASSERT_TRUE(players.apply(id, {1, kForward | kRun, 0.0F, 0.0F}, 0.0));
+  float highest = 0.0F;
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 eye = players.find(id, i * 0.05)->pose.position;
+    ASSERT_FLOAT_EQ(eye.y, kEyeHeight + groundHeight(hills, {eye.x, eye.z}));
+    highest = std::max(highest, eye.y);
+  }
+  EXPECT_NEAR(highest, kEyeHeight + 1.4F, 0.02F);
+  EXPECT_FLOAT_EQ(players.find(id, 5.0)->pose.position.y, kEyeHeight);
 }
 
 // Fault: visitors run into an invisible wall and stand still there.

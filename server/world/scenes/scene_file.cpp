@@ -13,6 +13,7 @@
 
 #include "base/checksum.h"
 #include "base/plain_file.h"
+#include "world/scenes/scene_hills.h"
 #include "world/scenes/scene_objects.h"
 #include "world/scenes/toml_nesting.h"
 
@@ -253,6 +254,12 @@ Scene parseScene(std::string_view text, const std::string& fileName) {
   for (const toml::table* table : tablesOf(*root, "light")) {
     scene.lights.push_back(readLight(Parameters(root->inner(*table, "light: "))));
   }
+  for (const toml::table* table : tablesOf(*root, "hill")) {
+    scene.hills.push_back(readHill(Parameters(root->inner(*table, "hill: "))));
+    if (!areLowEnough(scene.hills))
+      root->fail(table, "together with other hills, it is too high for visitors to see over");
+  }
+  standOnGround(scene);
   if (const toml::node* visitor = root->find("visitor")) {
     if (!visitor->is_table()) root->fail(visitor, "'visitor' must be written as [visitor]");
     scene.visitor = readObject(Parameters(root->inner(*visitor->as_table(), "visitor: ")));

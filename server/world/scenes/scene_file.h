@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "world/geometry.h"
+#include "world/hills.h"
 #include "world/sky.h"
 
 namespace grove::world {
@@ -79,6 +80,7 @@ struct Scene {
   std::vector<ObjectDescription> objects;
   std::optional<ObjectDescription> visitor;  ///< `[visitor]`: the look of visitors to each other
   std::vector<LightDescription> lights;
+  std::vector<Hill> hills;  ///< `[[hill]]`
   /// `[types.NAME]`: the options that all objects of a type share.
   std::map<std::string, Parameters, std::less<>> typeOptions;
   Sky sky;

@@ -33,6 +33,7 @@ Layout layoutOf(const Scene& scene, std::span<const std::string_view> knownTypes
   layout.spawnYaw = scene.spawnYaw;
   layout.radius = scene.radius;
   layout.sky = scene.sky;
+  layout.hills = scene.hills;
   layout.lights.reserve(scene.lights.size());
   for (const LightDescription& light : scene.lights) {
     layout.lights.push_back({{light.position, light.colour}, light.flicker});

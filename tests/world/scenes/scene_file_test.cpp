@@ -114,6 +114,58 @@ TEST(SceneFile, RefusesBadPlaces) {
   EXPECT_THAT(complaint("[" + many + "]"), HasSubstr("more than 4096 objects"));
 }
 
+/// Fails if trees, fires or visitors stand in a hill or float above the ground.
+TEST(SceneFile, EverythingStandsOnHills) {
+  const Scene scene = parseScene(R"(
+spawn = [10, 0, 0]
+[[hill]]
+position = [8, 0, 0]
+radius = 10
+height = 1.2
+[[hill]]
+position = [-30, 0, 0]
+radius = 5
+height = 0.3
+[[object]]
+type = "mesh"
+position = [12, 0.5, 3]
+[[object]]
+type = "mesh"
+position = [40, 0.5, 3]
+[[light]]
+position = [8, 2, 0]
+)",
+                                 "test.toml");
+  ASSERT_EQ(scene.hills.size(), 2U);
+  EXPECT_EQ(scene.hills[1].centre, Vec2(-30.0F, 0.0F));
+  const Transform& raised = scene.objects.at(0).transform;
+  EXPECT_FLOAT_EQ(raised.position.y, 0.5F + groundHeight(scene.hills, {12.0F, 3.0F}));
+  EXPECT_EQ(raised.slope, groundSlope(scene.hills, {12.0F, 3.0F}));
+  EXPECT_LT(raised.slope.x, 0.0F);
+  EXPECT_FLOAT_EQ(scene.objects.at(1).transform.position.y, 0.5F);
+  EXPECT_EQ(scene.objects.at(1).transform.slope, Vec2(0.0F));
+  EXPECT_FLOAT_EQ(scene.lights.at(0).position.y, 3.2F);
+  EXPECT_FLOAT_EQ(scene.spawn.y, groundHeight(scene.hills, {10.0F, 0.0F}));
+}
+
+/// Fails if a scene makes ground that rises above the horizon.
+TEST(SceneFile, RefusesBadHills) {
+  const auto reasonOf = [](const std::string& text) {
+    try {
+      (void)parseScene(text, "test.toml");
+    } catch (const SceneError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(reasonOf("[[hill]]\nheight = 1.7"), testing::HasSubstr("test.toml:2: "));
+  EXPECT_THAT(reasonOf("[[hill]]\nheight = -0.1"), testing::HasSubstr("height"));
+  EXPECT_THAT(reasonOf("[[hill]]\nradius = 0"), testing::HasSubstr("radius"));
+  EXPECT_THAT(reasonOf("[[hill]]\nradius = nan"), testing::HasSubstr("radius"));
+  EXPECT_THAT(reasonOf("[[hill]]\nsize = 3"), testing::HasSubstr("size"));
+  EXPECT_THAT(reasonOf("[[hill]]\n[[hill]]\nposition = [4, 0, 0]"), testing::HasSubstr("test.toml:2: together"));
+}
+
 TEST(SceneFile, ErrorsNameLineAndReason) {
   EXPECT_THAT(complaintAbout("name = \n"), StartsWith("test.toml:1: "));
   EXPECT_THAT(complaintAbout("\n\nnaem = 'x'\n"), AllOf(StartsWith("test.toml:3: "), HasSubstr("unknown key 'naem'")));

@@ -74,9 +74,11 @@ void WalkWorld::walk(const world::Walk& walk, double seconds, Pace pace, const L
 
 void WalkWorld::awaitRest() { std::this_thread::sleep_for(kUntilRest); }
 
-Moment WalkWorld::momentAt(const world::Pose& pose) {
+Moment WalkWorld::momentAt(world::Pose pose) {
+  const world::Layout& layout = instance_.world().layout();
+  pose.position.y += world::groundHeight(layout.hills, {pose.position.x, pose.position.z});
   const double now = pipeline::wallSeconds();
-  return {pose, now, instance_.world().layout().lightsAt(now, {})};
+  return {pose, now, layout.lightsAt(now, {})};
 }
 
 }  // namespace grove::cli

@@ -60,7 +60,7 @@ class WalkWorld {
   static void awaitRest();
 
   /// Returns the current moment, seen from this pose.
-  [[nodiscard]] Moment momentAt(const world::Pose& pose);
+  [[nodiscard]] Moment momentAt(world::Pose pose);
 
   [[nodiscard]] stream::WorldInstance& instance() noexcept { return instance_; }
   [[nodiscard]] pipeline::WorkerPool& workers() noexcept { return workers_; }

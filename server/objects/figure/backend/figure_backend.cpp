@@ -48,7 +48,7 @@ FigureBackend::FigureBackend(const node::BackendServices& services, raster::Rend
       own_(makeOwnFigure()),
       masks_(figures_, layout_.visitor ? layout_.visitor->object.transform.scale : 1.0F, layout_.sky.sun,
              services.memory),
-      sun_(layout_.radius + world::kLongestShadow, layout_.sky.sun, geometry_.rays(), services.memory),
+      sun_(layout_.radius + world::kLongestShadow, layout_.sky.sun, layout_.hills, geometry_.rays(), services.memory),
       renderer_(raster::makeRenderer(gl::resolved(kind, services.gl), services.gl, services.images,
                                      {services.memory, "figure"})),
       held_(services.memory, "surfaces", "figure", pipeline::Work::kAcrossUser, bytesOf(figures_) + own_.bytes()) {}

@@ -155,7 +155,8 @@ class Baker {
 
   [[nodiscard]] Vec3 place(float x, float y, int size) const {
     const float step = options_.metres / static_cast<float>(size);
-    return {x * step - 0.5F * options_.metres, kStart, y * step - 0.5F * options_.metres};
+    const Vec2 at(x * step - 0.5F * options_.metres, y * step - 0.5F * options_.metres);
+    return {at.x, world::groundHeight(options_.hills, at) + kStart, at.y};
   }
 
   void markNear(const world::Triangles& shades) {
@@ -179,7 +180,7 @@ class Baker {
     const Vec3 up(0, 1, 0);
     const bool isUnderSoil =
         rays_.occluded(point, up, 0.0F, kLowFoliage) && !solids_.occluded(point, up, kSoilTop, kLowFoliage);
-    return isUnderSoil ? Vec3(point.x, kSoilTop, point.z) : point;
+    return isUnderSoil ? point + Vec3(0.0F, kSoilTop - kStart, 0.0F) : point;
   }
 
   [[nodiscard]] float openness(Vec3 point, int rays) const {

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <limits>
+#include <vector>
 
 #include "objects/ground/common/clearing.h"
 #include "world/geometry.h"
+#include "world/hills.h"
 #include "world/rays/ray_scene.h"
 
 namespace grove::objects::ground {
@@ -15,6 +17,7 @@ struct ClearingOptions {
   float hearth = 2.6F;                    ///< radius of the trodden earth around the fire at the origin, metres
   world::Vec3 pathTo{0.0F, 0.0F, 10.0F};  ///< a worn path leads from the fire through this point
   int seed = 1;
+  std::vector<world::Hill> hills = {};  ///< that the ground is made of
   /// Metres from the origin up to which the ground is baked in detail; beyond, nobody comes near it.
   float detailed = std::numeric_limits<float>::infinity();
 };

@@ -16,7 +16,11 @@ class GroundModel final : public world::Model {
  public:
   explicit GroundModel(const ClearingOptions& options) : options_(options) {}
 
-  [[nodiscard]] world::Bounds bounds() const override { return {{-kReach, -0.1F, -kReach}, {kReach, 0.0F, kReach}}; }
+  /// Contains the ground wherever the object itself is placed.
+  [[nodiscard]] world::Bounds bounds() const override {
+    constexpr float kHigh = world::kMaxGroundHeight;
+    return {{-kReach, -kHigh - 0.1F, -kReach}, {kReach, kHigh, kReach}};
+  }
   [[nodiscard]] const ClearingOptions& options() const noexcept { return options_; }
 
  private:
@@ -29,12 +33,13 @@ constexpr float kSeenFromNear = 4.0F;
 GroundMaps bake(const node::BackendServices& services, const GroundModel& model, MapSizes sizes) {
   ClearingOptions options = model.options();
   options.size = sizes.clearing;
+  options.hills = services.scene.layout.hills;
   options.detailed = services.scene.layout.radius + kSeenFromNear;
   const auto progress = [&](float share) { services.progress("lighting the ground", share); };
   const world::WorldGeometry& geometry = services.geometry;
   const Standing standing{geometry.shades(), geometry.rays(), geometry.solids()};
   return {bakeClearing(options, services.scene.layout.sky.sun, standing, progress),
-          bakeMeadow(sizes.meadow, kMeadowMetres, options.seed)};
+          bakeMeadow(sizes.meadow, kMeadowMetres, options.seed), options.hills};
 }
 
 class GroundBackend final : public node::BackendHalf {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMaxSize = 1 << 12;
 constexpr float kMaxMetres = 1.0e5F;
+constexpr int kMaxHills = 1 << 16;
 
 /// Writes all levels: in a map that is in blocks, the coarser levels cannot be computed from the finest.
 void putPyramid(node::PackWriter& writer, const Pyramid& pyramid) {
@@ -26,10 +27,29 @@ Pyramid takePyramid(node::PackReader& reader) {
   return pyramid;
 }
 
+void putHills(node::PackWriter& writer, const std::vector<world::Hill>& hills) {
+  writer.put(static_cast<int>(hills.size()));
+  for (const world::Hill& hill : hills) writer.put(hill.centre.x).put(hill.centre.y).put(hill.radius).put(hill.height);
+}
+
+std::vector<world::Hill> takeHills(node::PackReader& reader) {
+  const int count = reader.takeWithin(0, kMaxHills);
+  reader.expect(static_cast<std::size_t>(count) * 4 * sizeof(float));
+  std::vector<world::Hill> hills(static_cast<std::size_t>(count));
+  for (world::Hill& hill : hills) {
+    hill.centre.x = reader.takeFinite(-kMaxMetres, kMaxMetres);
+    hill.centre.y = reader.takeFinite(-kMaxMetres, kMaxMetres);
+    hill.radius = reader.takeFinite(1.0e-3F, kMaxMetres);
+    hill.height = reader.takeFinite(0.0F, world::kMaxGroundHeight);
+  }
+  return hills;
+}
+
 }  // namespace
 
 std::size_t GroundData::ownBytes() const noexcept {
-  return sizeof maps_ + maps_.clearing.pyramid.bytes() + maps_.meadow.pyramid.bytes();
+  return sizeof maps_ + pipeline::vectorBytes(maps_.hills) + maps_.clearing.pyramid.bytes() +
+         maps_.meadow.pyramid.bytes();
 }
 
 node::PackedBytes GroundData::pack() const {
@@ -37,6 +57,7 @@ node::PackedBytes GroundData::pack() const {
   writer.put(maps_.clearing.metres).put(maps_.meadow.metres).put(maps_.meadow.tallest);
   putPyramid(writer, maps_.clearing.pyramid);
   putPyramid(writer, maps_.meadow.pyramid);
+  putHills(writer, maps_.hills);
   return writer.take();
 }
 
@@ -47,9 +68,10 @@ std::shared_ptr<GroundData> GroundData::unpack(std::span<const std::byte> bytes)
   const float tallest = reader.takeFinite(0.0F, kTallest);
   Pyramid clearing = takePyramid(reader);
   Pyramid meadow = takePyramid(reader);
+  std::vector<world::Hill> hills = takeHills(reader);
   reader.finish();
   return std::make_shared<GroundData>(
-      GroundMaps{{std::move(clearing), clearingMetres}, {std::move(meadow), meadowMetres, tallest}});
+      GroundMaps{{std::move(clearing), clearingMetres}, {std::move(meadow), meadowMetres, tallest}, std::move(hills)});
 }
 
 }  // namespace grove::objects::ground

@@ -52,6 +52,14 @@ int lowestRow(world::Camera camera, float ground, float tallest, int row) {
   return row + reachOf(scaleAt, tallest, row, 0);
 }
 
+/// Lights with their heights above the ground.
+std::vector<world::PointLight> aboveGround(std::vector<world::PointLight> lights, std::span<const world::Hill> hills) {
+  for (world::PointLight& light : lights) {
+    light.position.y -= world::groundHeight(hills, {light.position.x, light.position.z});
+  }
+  return lights;
+}
+
 std::vector<world::PointLight> nearestLights(std::span<const world::PointLight> lights, world::Vec3 eye) {
   if (lights.size() <= kMaxLights) return {lights.begin(), lights.end()};
   const auto nearness = [&](const world::PointLight& light) { return -glm::distance(light.position, eye); };
@@ -190,7 +198,10 @@ class GroundPicture::StripPainter {
 
 GroundPicture::GroundPicture(const GroundMaps& maps, const GroundLight& light, const world::Camera& camera,
                              world::Rect rect, std::span<const world::PointLight> lights, raster::ImagePool& images)
-    : maps_(maps), light_(light), frame_(frameOf(camera)), lights_(nearestLights(lights, camera.pose.position)) {
+    : maps_(maps),
+      light_(light),
+      frame_(frameOf(camera)),
+      lights_(aboveGround(nearestLights(lights, camera.pose.position), maps.hills)) {
   const world::Vec3 eye = camera.pose.position;
   const float ground = world::groundHeight(maps.hills, {eye.x, eye.z});
   if (eye.y <= ground) return;

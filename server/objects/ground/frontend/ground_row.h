@@ -25,6 +25,11 @@ struct GroundRow {
   alignas(64) SoilSamples z{};  ///< of the world
   alignas(64) SoilSamples depth{};
   alignas(64) SoilSamples step{};  ///< depth between this row and the next nearer one
+  /// The place and depth whose light the row shows: those of a crest in the rows that its grass reaches.
+  alignas(64) SoilSamples litX{};
+  alignas(64) SoilSamples litZ{};
+  alignas(64) SoilSamples litDepth{};
+  alignas(64) SoilSamples crestRows{};  ///< number of rows that the grass of the last crest still reaches
 };
 
 /// The means of a row's samples.

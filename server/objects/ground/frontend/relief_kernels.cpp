@@ -30,6 +30,8 @@ constexpr float kPrecision = 1e-3F;
 constexpr int kMaxSteps = 40;
 /// A row that looks over a crest is far behind the nearer one; its texture should not be smoothed over that distance.
 constexpr float kMaxStep = 4.0F;  // times that of a plane
+/// Height of the grass on a crest. Metres.
+constexpr float kGrassAtCrest = 0.12F;
 
 /// The rays of one vector of samples: for one metre of depth, x and z in the plane, and `rise` upwards.
 struct GroundRays {
@@ -78,6 +80,47 @@ HWY_INLINE Floats searchGround(const GroundRays& rays, std::span<const world::Hi
   return depth;
 }
 
+HWY_INLINE void store(const GroundRays& rays, int first, Floats depth, Floats step, GroundRow& out) {
+  lanes::store(depth, out.depth.data() + first);
+  lanes::store(step, out.step.data() + first);
+  lanes::store(depth * rays.dx + rays.eyeX, out.x.data() + first);
+  lanes::store(depth * rays.dz + rays.eyeZ, out.z.data() + first);
+}
+
+/// What a row's light depends on, see GroundRow.
+struct Lit {
+  Floats x, z, depth, crestRows;
+};
+
+HWY_INLINE void storeLight(int first, const Lit& lit, GroundRow& out) {
+  lanes::store(lit.x, out.litX.data() + first);
+  lanes::store(lit.z, out.litZ.data() + first);
+  lanes::store(lit.depth, out.litDepth.data() + first);
+  lanes::store(lit.crestRows, out.crestRows.data() + first);
+}
+
+/// Where the rays meet the ground behind the next nearer row.
+HWY_INLINE void findBehind(const Frame& frame, const GroundRays& rays, std::span<const world::Hill> hills, int first,
+                           const GroundRow& nearer, GroundRow& out) {
+  const auto before = [&](const SoilSamples& samples) { return lanes::load(samples.data() + first); };
+  const Floats from = before(nearer.depth);
+  const Lit crest{before(nearer.x), before(nearer.z), from,
+                  lanes::max(0.0F, Floats(frame.focal * out.ahead * kGrassAtCrest) / from)};
+  const Lit last{before(nearer.litX), before(nearer.litZ), before(nearer.litDepth), before(nearer.crestRows)};
+  const Floats depth = searchGround(rays, hills, from);
+  const Floats most = depth * depth * (frame.inverseStep * kMaxStep);
+  const Mask jumps = depth - from > most;
+  store(rays, first, depth, lanes::clamp(depth - from, 0.0F, most), out);
+  const Mask reached = jumps | (last.crestRows > Floats(1.0F));
+  const auto lit = [&](Floats atCrest, Floats ofLast, Floats own) {
+    return lanes::select(jumps, atCrest, lanes::select(reached, ofLast, own));
+  };
+  storeLight(first,
+             {lit(crest.x, last.x, before(out.x)), lit(crest.z, last.z, before(out.z)),
+              lit(crest.depth, last.depth, depth), lit(crest.crestRows, last.crestRows - 1.0F, 0.0F)},
+             out);
+}
+
 void findGround(const Frame& frame, std::span<const world::Hill> hills, int row, int firstColumn,
                 const GroundRow* nearer, GroundRow& out) {
   const auto at = static_cast<float>(row);
@@ -95,18 +138,17 @@ void findGround(const Frame& frame, std::span<const world::Hill> hills, int row,
                           .rise = out.rise,
                           .dx = side * frame.sideX + out.ahead * frame.forwardX,
                           .dz = side * frame.sideZ + out.ahead * frame.forwardZ};
-    Floats depth(plane);
-    Floats step(plane * plane * frame.inverseStep);
-    if (!hills.empty()) {
-      const Floats before = nearer != nullptr ? lanes::load(nearer->depth.data() + first) : Floats(kNearestDepth);
-      depth = searchGround(rays, hills, before);
-      const Floats ofPlane = depth * depth * frame.inverseStep;
-      step = nearer != nullptr ? lanes::clamp(depth - before, 0.0F, ofPlane * kMaxStep) : ofPlane;
+    const Floats ofPlane(plane * plane * frame.inverseStep);
+    if (hills.empty()) {
+      store(rays, first, plane, ofPlane, out);
+      storeLight(first, {lanes::load(out.x.data() + first), lanes::load(out.z.data() + first), plane, 0.0F}, out);
+    } else if (nearer == nullptr) {
+      const Floats depth = searchGround(rays, hills, kNearestDepth);
+      store(rays, first, depth, depth * depth * frame.inverseStep, out);
+      storeLight(first, {lanes::load(out.x.data() + first), lanes::load(out.z.data() + first), depth, 0.0F}, out);
+    } else {
+      findBehind(frame, rays, hills, first, *nearer, out);
     }
-    lanes::store(depth, out.depth.data() + first);
-    lanes::store(step, out.step.data() + first);
-    lanes::store(depth * rays.dx + frame.eyeX, out.x.data() + first);
-    lanes::store(depth * rays.dz + frame.eyeZ, out.z.data() + first);
   }
 }
 

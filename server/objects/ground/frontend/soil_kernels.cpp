@@ -155,9 +155,9 @@ HWY_INLINE void develop(Floats radiance, Floats haze, const float* HWY_RESTRICT 
 HWY_INLINE void sampleAt(const SoilRow& row, const GroundRow& ground, const Texels& level, const GroundLight& light,
                          std::span<const world::PointLight> lights, int first, SampledSoil& out) {
   const Floats side = lanes::toFloats(lanes::upwards() + Ints(first)) * row.sideStep + row.firstSide;
-  const Floats x = lanes::load(ground.x.data() + first);
-  const Floats z = lanes::load(ground.z.data() + first);
-  const Floats depth = lanes::load(ground.depth.data() + first);
+  const Floats x = lanes::load(ground.litX.data() + first);
+  const Floats z = lanes::load(ground.litZ.data() + first);
+  const Floats depth = lanes::load(ground.litDepth.data() + first);
   const Colours lamps = lampLight(lights, x, z);
   const Corners corners = cornersAt(level, x, z);
   const Floats lit = corners.channel<0>();

@@ -13,7 +13,7 @@ namespace {
 
 /// Where visitors are after so many seconds.
 std::vector<world::Vec3> placesAfter(Course course, int visitors, double seconds) {
-  world::Players players({0.0F, 0.0F, 0.0F}, 0.0F, 1000.0F, {}, 0);
+  world::Players players({0.0F, 0.0F, 0.0F}, 0.0F, 1000.0F, {});
   std::vector<world::PlayerId> ids;
   ids.reserve(static_cast<std::size_t>(visitors));
   for (int i = 0; i < visitors; ++i) ids.push_back(players.join("visitor", 0.0));

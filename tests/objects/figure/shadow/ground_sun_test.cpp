@@ -11,7 +11,7 @@ namespace {
 TEST(GroundSun, EndsBehindWhatStandsBeforeTheSun) {
   pipeline::MemoryLedger memory;
   const world::RayScene rays(sunWall(0.0F));
-  const GroundSun ground(10.0F, kSunOfWall, rays, memory);
+  const GroundSun ground(10.0F, kSunOfWall, {}, rays, memory);
   EXPECT_FLOAT_EQ(ground.at(3.0F, 2.0F), 1.0F) << "beside the wall";
   EXPECT_FLOAT_EQ(ground.at(-3.0F, 2.0F), 0.0F) << "behind it";
   EXPECT_FLOAT_EQ(ground.at(-3.0F, -2.0F), 1.0F) << "before it";
@@ -23,7 +23,7 @@ TEST(GroundSun, EndsBehindWhatStandsBeforeTheSun) {
 TEST(GroundSun, ChangesGradually) {
   pipeline::MemoryLedger memory;
   const world::RayScene rays(sunWall(0.0F));
-  const GroundSun ground(10.0F, kSunOfWall, rays, memory);
+  const GroundSun ground(10.0F, kSunOfWall, {}, rays, memory);
   float before = ground.at(-1.0F, 2.0F);
   for (int centimetre = -99; centimetre <= 100; ++centimetre) {
     const float share = ground.at(0.01F * static_cast<float>(centimetre), 2.0F);
@@ -36,7 +36,7 @@ TEST(GroundSun, ChangesGradually) {
 TEST(GroundSun, LowThingsLetTheSunPass) {
   pipeline::MemoryLedger memory;
   const world::RayScene rays(sunWall(0.0F, 0.5F));
-  EXPECT_FLOAT_EQ(GroundSun(10.0F, kSunOfWall, rays, memory).at(-3.0F, 0.3F), 1.0F);
+  EXPECT_FLOAT_EQ(GroundSun(10.0F, kSunOfWall, {}, rays, memory).at(-3.0F, 0.3F), 1.0F);
 }
 
 }  // namespace

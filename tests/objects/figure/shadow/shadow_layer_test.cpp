@@ -56,7 +56,7 @@ class ShadowLayerTest : public testing::Test {
   world::Camera camera_;
   pipeline::MemoryLedger memory_;
   world::RayScene rays_{world::Triangles{}};
-  GroundSun ground_{30.0F, kSunOfWall, rays_, memory_};
+  GroundSun ground_{30.0F, kSunOfWall, {}, rays_, memory_};
   raster::ImagePool pool_;
 };
 
@@ -92,7 +92,7 @@ TEST_F(ShadowLayerTest, EndsWhereTheSunDoes) {
   world::Triangles wall = sunWall(50.0F, 1.5F);
   for (Vec3& corner : wall.positions) corner.z += 1.5F;
   const world::RayScene rays(wall);
-  const GroundSun shaded(30.0F, kSunOfWall, rays, memory_);
+  const GroundSun shaded(30.0F, kSunOfWall, {}, rays, memory_);
   const auto image = emptyPicture({0, 0, camera_.width, camera_.height});
   layShadows(place, shadowOf(place, shaded), camera_, *image);
   const Picture picture(*image);

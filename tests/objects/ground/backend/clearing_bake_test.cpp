@@ -52,6 +52,23 @@ TEST_F(ClearingBake, TheShadowFallsAwayFromTheSun) {
   EXPECT_GT(soilAt(clearing, {-18.0F, 0.0F, 15.0F}).sun, 0.9F);
 }
 
+/// Fails if the light of hillsides is that of the plane below: a hill behind a stone shortens its shadow.
+TEST_F(ClearingBake, ShadowsOnAHillsideAreShorter) {
+  const world::Vec3 away = stone - sunward * 14.0F;
+  ClearingOptions hilly = options;
+  hilly.hills = {{{away.x, away.z}, 6.0F, 1.5F}};
+  const Clearing onHill = bakeClearing(hilly, world::Sky().sun, {solids, rays, rays}, [](float) {});
+  float last = 0.0F;
+  float lastOnHill = 0.0F;
+  for (int step = 10; step < 100; ++step) {
+    const float metres = 0.2F * static_cast<float>(step);
+    if (soilAt(clearing, stone - sunward * metres).sun < 0.5F) last = metres;
+    if (soilAt(onHill, stone - sunward * metres).sun < 0.5F) lastOnHill = metres;
+  }
+  EXPECT_GT(last, 8.0F);
+  EXPECT_LT(lastOnHill, last - 0.8F);
+}
+
 TEST_F(ClearingBake, ShadowHasASoftEdge) {
   const world::Vec3 aside(-sunward.z, 0.0F, sunward.x);
   int between = 0;

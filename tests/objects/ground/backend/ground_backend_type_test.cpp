@@ -15,9 +15,9 @@ std::shared_ptr<const world::Model> modelOf(const std::string& settings) {
   return GroundBackendType().model(scene.objects.at(0).parameters);
 }
 
-TEST(GroundBackendType, IsFlatAndNoObstacle) {
+TEST(GroundBackendType, IsBelowEyesAndNoObstacle) {
   const auto model = modelOf("hearth = 3.5\npath = [2.0, 0.0, 9.0]\nseed = 4\n");
-  EXPECT_LE(model->bounds().high.y, 0.0F);
+  EXPECT_LE(model->bounds().high.y, world::kMaxGroundHeight);
   EXPECT_GE(model->bounds().size().x, 1000.0F);
   EXPECT_EQ(model->solid(), nullptr);
   EXPECT_FALSE(model->obstacleRadius());

@@ -80,6 +80,33 @@ TEST(ReliefKernels, DepthGrowsFromRowToRow) {
   }
 }
 
+/// Fails if blades on a crest have the light of the meadow far behind them.
+TEST(ReliefKernels, RowsAboveACrestShowItsLight) {
+  const world::Camera camera = cameraAt(0.45F, -0.03F);
+  const Frame frame = frameOf(camera);
+  const std::vector<world::Hill> hill{{{-9.5F, -12.0F}, 7.0F, 1.3F}};
+  GroundRow nearer;
+  findGround(frame, hill, 719, 560, nullptr, nearer);
+  int jumps = 0;
+  int lit = 0;
+  for (int row = 718; row > 345; --row) {
+    GroundRow ground;
+    findGround(frame, hill, row, 560, &nearer, ground);
+    for (std::size_t i = 0; i < kCoarseSamples; ++i) {
+      if (ground.depth[i] > 1.5F * nearer.depth[i]) {
+        ++jumps;
+        ASSERT_EQ(ground.litX[i], nearer.x[i]);
+        ASSERT_EQ(ground.litDepth[i], nearer.depth[i]);
+      }
+      if (ground.litDepth[i] < 0.99F * ground.depth[i]) ++lit;
+    }
+    nearer = ground;
+  }
+  EXPECT_GT(jumps, 5);
+  EXPECT_GT(lit, 2 * jumps) << "blades on a crest reach several rows";
+  EXPECT_LT(lit, 15 * jumps);
+}
+
 /// Fails if a strip lacks a hill that its rays meet.
 TEST(ReliefKernels, HillsBeforeAStripAreAllThatCount) {
   for (const float pitch : {-0.7F, -0.2F, 0.1F}) {

@@ -32,8 +32,10 @@ float shareAt(world::Vec3 point, world::Vec3 sun, const world::RayScene& rays) {
 
 }  // namespace
 
-GroundSun::GroundSun(float radius, world::Vec3 sun, const world::RayScene& rays, pipeline::MemoryLedger& memory)
+GroundSun::GroundSun(float radius, world::Vec3 sun, std::span<const world::Hill> hills, const world::RayScene& rays,
+                     pipeline::MemoryLedger& memory)
     : sun_(sun),
+      hills_(hills),
       rays_(rays),
       size_(2 * static_cast<int>(std::ceil(radius / kSpacing)) + 1),
       shares_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_)),
@@ -57,9 +59,9 @@ float GroundSun::look(int column, int row) const {
   std::uint8_t known = share.load(std::memory_order_relaxed);
   if (known == 0) {
     const int middle = size_ / 2;
-    const world::Vec3 place(kSpacing * static_cast<float>(column - middle), 0.0F,
-                            kSpacing * static_cast<float>(row - middle));
-    const world::Vec3 above = place + sun_ * (kLow / sun_.y);
+    const world::Vec2 place = kSpacing * world::Vec2(column - middle, row - middle);
+    const world::Vec3 above =
+        world::Vec3(place.x, world::groundHeight(hills_, place), place.y) + sun_ * (kLow / sun_.y);
     known = static_cast<std::uint8_t>(1L + std::lround(kFull * shareAt(above, sun_, rays_)));
     share.store(known, std::memory_order_relaxed);
   }

@@ -2,10 +2,12 @@
 
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pipeline/memory_ledger.h"
 #include "world/geometry.h"
+#include "world/hills.h"
 #include "world/rays/ray_scene.h"
 
 namespace grove::objects::figure {
@@ -14,8 +16,9 @@ namespace grove::objects::figure {
 /// falls there. Any thread.
 class GroundSun {
  public:
-  /// For the square of this radius around the origin; `rays` outlives it.
-  GroundSun(float radius, world::Vec3 sun, const world::RayScene& rays, pipeline::MemoryLedger& memory);
+  /// For the square of this radius around the origin, on ground that the hills make; `rays` and `hills` outlive it.
+  GroundSun(float radius, world::Vec3 sun, std::span<const world::Hill> hills, const world::RayScene& rays,
+            pipeline::MemoryLedger& memory);
 
   /// Share of the sun at a place on the ground, 0..1, interpolated. Beyond the square, that at its edge.
   [[nodiscard]] float at(float x, float z) const;
@@ -24,6 +27,7 @@ class GroundSun {
   [[nodiscard]] float look(int column, int row) const;
 
   const world::Vec3 sun_;
+  const std::span<const world::Hill> hills_;
   const world::RayScene& rays_;
   const int size_;  ///< places along each side
   mutable std::vector<std::atomic<std::uint8_t>> shares_;

@@ -45,7 +45,7 @@ float sunAt(Vec3 point, Vec3 sun, float from, const world::RayScene& rays) {
 SunGrid makeSunGrid(const world::ModelledObject& object, Vec3 towardsSun, const world::RayScene& rays) {
   const world::Bounds box = object.model->bounds();
   const world::Mat4 toWorld = object.transform.matrix();
-  const Vec3 sun = glm::normalize(glm::transpose(glm::mat3(toWorld)) * towardsSun);
+  const Vec3 sun = glm::normalize(glm::inverse(glm::mat3(toWorld)) * towardsSun);
   SunGrid grid;
   grid.low = box.low;
   const Vec3 extent = box.size() * object.transform.scale;
