@@ -18,6 +18,7 @@ constexpr int kSide = 6;  // texels
 
 std::vector<std::uint16_t> randomTexels(std::mt19937& random) {
   std::vector<std::uint16_t> texels;
+  texels.reserve(std::size_t{kSide} * kSide);
   for (int i = 0; i < kSide * kSide; ++i) texels.push_back(static_cast<std::uint16_t>(random()));
   return texels;
 }

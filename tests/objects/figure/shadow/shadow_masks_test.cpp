@@ -21,6 +21,7 @@ class ShadowMasksTest : public testing::Test {
  protected:
   static std::vector<raster::LitSurface> makeAll() {
     std::vector<raster::LitSurface> all;
+    all.reserve(kStatures.size());
     for (const Stature& stature : kStatures) all.push_back(makeFigure(stature.breadth));
     return all;
   }
@@ -104,8 +105,9 @@ TEST_F(ShadowMasksTest, LieWithinTheBoundsOfTheirObjects) {
       const SunView& sun = masks_.sun();
       for (std::size_t i = 0; i < mask->opacity.size(); ++i) {
         if (mask->opacity[i] < 20) continue;
-        const world::Vec2 texel(static_cast<float>(i % kShadowColumns) + 0.5F,
-                                static_cast<float>(i / kShadowColumns) + 0.5F);
+        const std::size_t column = i % kShadowColumns;
+        const std::size_t row = i / kShadowColumns;
+        const world::Vec2 texel(static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F);
         const world::Vec2 place = glm::mix(mask->low, mask->high, texel / world::Vec2(kShadowColumns, kShadowRows));
         const float away = (place.y - world::kShadowPlane) / sun.slope;
         const Vec3 point = transform.position + place.x * sun.side + away * sun.away;

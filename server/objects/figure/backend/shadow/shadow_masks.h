@@ -28,7 +28,7 @@ struct ShadowPose {
   static constexpr int kPaces = 8;
 
   [[nodiscard]] static ShadowPose of(const world::Player& player) noexcept;
-  friend auto operator<=>(const ShadowPose&, const ShadowPose&) = default;
+  friend auto operator<=>(const ShadowPose&, const ShadowPose&) = default;  // NOLINT(modernize-use-nullptr): its own 0
 };
 
 /// The shadows of figures in the poses that visitors have had lately. Across-user: made when the first viewer sees a
