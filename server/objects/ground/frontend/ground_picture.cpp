@@ -83,10 +83,13 @@ class GroundPicture::StripPainter {
         firstColumn_(firstColumn),
         hills_(hillsBefore(frame_, firstColumn, picture.first_, lowest_, maps_.hills)),
         left_(std::max(firstColumn, image.rect.left)),
-        right_(std::min(firstColumn + kTile, image.rect.right)) {}
+        right_(std::min(firstColumn + kTile, image.rect.right)),
+        searched_(lowest_ + 1) {}
 
   /// `first`: the farthest row.
   void paint(int first) {
+    near_ = sampled_.data();
+    far_ = near_ + 1;
     int reach = 0;
     for (int y = lowest_; y >= first; --y) {
       const GroundRow& ground = groundAt(y);
@@ -182,18 +185,18 @@ class GroundPicture::StripPainter {
   const std::vector<world::Hill> hills_;
   const int left_;  // columns of the strip that lie in the image
   const int right_;
+  int searched_;  ///< the newest row of `grounds_`
+  SoilRow* near_ = nullptr;
+  SoilRow* far_ = nullptr;
   std::array<GroundRow, 2 * kMaxRowStep> grounds_;  ///< the newest rows
-  int searched_ = lowest_ + 1;                      ///< the newest row
-  std::array<float, kRootRows> scales_{};           ///< pixels per metre of the newest rows
   std::array<SoilRow, 2> sampled_;
-  SoilRow* near_ = &sampled_[0];
-  SoilRow* far_ = &sampled_[1];
   SampledSoil samples_;
   FineSoil step_{};  // difference per row from the farther to the nearer sampled row
   GrassRows grass_;
   alignas(64) Colours colour_;
   alignas(64) std::array<float, kTile> depth_;
   std::array<Colours, 4> shaded_;
+  std::array<float, kRootRows> scales_{};  ///< pixels per metre of the newest rows
 };
 
 GroundPicture::GroundPicture(const GroundMaps& maps, const GroundLight& light, const world::Camera& camera,

@@ -38,8 +38,8 @@ std::unique_ptr<GrassRows> grown() {
   }
   for (int row = kRow; row < kRow + kRootRows; ++row) {
     for (int sample = 0; sample < kCoarseSamples; ++sample) {
-      const auto at = static_cast<std::size_t>(row % kRootRows * kCoarsePadded + sample);
-      grass->inverseDepths[at] = inverseAt(row, sample * kCoarse);
+      const auto slot = static_cast<std::size_t>(row % kRootRows);
+      grass->inverseDepths[slot * kCoarsePadded + static_cast<std::size_t>(sample)] = inverseAt(row, sample * kCoarse);
     }
   }
   return grass;
