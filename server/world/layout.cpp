@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "world/ground_shadow.h"
+#include "world/ground/ground_shadow.h"
 
 namespace grove::world {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "world/hills.h"
+#include "world/ground/hills.h"
 #include "world/light.h"
 #include "world/object.h"
 #include "world/players.h"

@@ -13,7 +13,7 @@
 
 #include "world/camera.h"
 #include "world/geometry.h"
-#include "world/hills.h"
+#include "world/ground/hills.h"
 
 namespace grove::world {
 

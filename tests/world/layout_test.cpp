@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "world/ground_shadow.h"
+#include "world/ground/ground_shadow.h"
 
 namespace grove::world {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <shared_mutex>
 
-#include "node/frontend/backdrops/redraw_turns.h"
 #include "node/frontend/frames/asked_pictures.h"
+#include "node/frontend/frames/redraw_turns.h"
 #include "node/frontend/frontend_half.h"
 #include "node/frontend/frontend_types.h"
 #include "node/frontend/shared/shared_receiver.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "world/geometry.h"
-#include "world/hills.h"
+#include "world/ground/hills.h"
 #include "world/sky.h"
 
 namespace grove::world {

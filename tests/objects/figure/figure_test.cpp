@@ -9,7 +9,7 @@
 #include "objects/figure/common/stature.h"
 #include "objects/figure/shown_picture.h"
 #include "objects/figure/visitors_in_sight.h"
-#include "world/ground_shadow.h"
+#include "world/ground/ground_shadow.h"
 
 namespace grove::objects::figure {
 namespace {

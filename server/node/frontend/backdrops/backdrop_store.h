@@ -4,7 +4,7 @@
 #include <mutex>
 
 #include "node/frontend/backdrops/backdrop.h"
-#include "node/frontend/backdrops/redraw_turns.h"
+#include "node/frontend/frames/redraw_turns.h"
 
 namespace grove::node {
 

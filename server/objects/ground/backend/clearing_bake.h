@@ -6,7 +6,7 @@
 
 #include "objects/ground/common/clearing.h"
 #include "world/geometry.h"
-#include "world/hills.h"
+#include "world/ground/hills.h"
 #include "world/rays/ray_scene.h"
 
 namespace grove::objects::ground {

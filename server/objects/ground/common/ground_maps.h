@@ -4,7 +4,7 @@
 
 #include "objects/ground/common/clearing.h"
 #include "objects/ground/common/meadow.h"
-#include "world/hills.h"
+#include "world/ground/hills.h"
 
 namespace grove::objects::ground {
 

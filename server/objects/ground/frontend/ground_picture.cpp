@@ -8,7 +8,7 @@
 
 #include "base/floor_to.h"
 #include "objects/ground/frontend/grow_kernels.h"
-#include "objects/ground/frontend/relief_kernels.h"
+#include "objects/ground/frontend/relief/relief_kernels.h"
 #include "objects/ground/frontend/root_kernels.h"
 #include "objects/ground/frontend/shade_kernels.h"
 #include "raster/soften_kernels.h"

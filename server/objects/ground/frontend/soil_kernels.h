@@ -6,7 +6,7 @@
 
 #include "objects/ground/common/clearing.h"
 #include "objects/ground/frontend/ground_light.h"
-#include "objects/ground/frontend/ground_row.h"
+#include "objects/ground/frontend/relief/ground_row.h"
 #include "world/light.h"
 
 /// Kernel for light and soil, which vary slowly: they are sampled every kCoarse columns and every few rows, including

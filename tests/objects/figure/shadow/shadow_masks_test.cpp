@@ -9,7 +9,7 @@
 #include "objects/figure/backend/gait.h"
 #include "objects/figure/backend/shadow/shadow_grid.h"
 #include "objects/figure/shadow/posts.h"
-#include "world/ground_shadow.h"
+#include "world/ground/ground_shadow.h"
 #include "world/sky.h"
 
 namespace grove::objects::figure {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "each_target.h"
-#include "objects/ground/frontend/relief_kernels.h"
+#include "objects/ground/frontend/relief/relief_kernels.h"
 
 namespace grove::objects::ground {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "world/camera.h"
-#include "world/ground_shadow.h"
+#include "world/ground/ground_shadow.h"
 
 namespace grove::objects::figure {
 

@@ -7,7 +7,7 @@
 
 #include "pipeline/memory_ledger.h"
 #include "world/geometry.h"
-#include "world/hills.h"
+#include "world/ground/hills.h"
 #include "world/rays/ray_scene.h"
 
 namespace grove::objects::figure {

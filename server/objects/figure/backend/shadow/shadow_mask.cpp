@@ -6,7 +6,7 @@
 
 #include "objects/figure/backend/shadow/shadow_grid.h"
 #include "objects/figure/common/stature.h"
-#include "world/ground_shadow.h"
+#include "world/ground/ground_shadow.h"
 
 namespace grove::objects::figure {
 namespace {

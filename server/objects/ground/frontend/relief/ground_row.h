@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "objects/ground/frontend/frame.h"
-#include "world/hills.h"
+#include "world/ground/hills.h"
 
 namespace grove::objects::ground {
 

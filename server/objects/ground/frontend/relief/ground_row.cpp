@@ -1,4 +1,4 @@
-#include "objects/ground/frontend/ground_row.h"
+#include "objects/ground/frontend/relief/ground_row.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "world/hills.h"
+#include "world/ground/hills.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "objects/ground/frontend/relief_kernels.h"
+#include "objects/ground/frontend/relief/relief_kernels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "world/ground_shadow.h"
+#include "world/ground/ground_shadow.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "objects/ground/frontend/ground_row.h"
-#include "world/hills.h"
+#include "objects/ground/frontend/relief/ground_row.h"
+#include "world/ground/hills.h"
 
 namespace grove::objects::ground {
 

@@ -1,10 +1,10 @@
-#include "objects/ground/frontend/relief_kernels.h"
+#include "objects/ground/frontend/relief/relief_kernels.h"
 
 #include <algorithm>
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "objects/ground/frontend/relief_kernels.cpp"
+#define HWY_TARGET_INCLUDE "objects/ground/frontend/relief/relief_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
