@@ -3,10 +3,12 @@
 namespace grove::world {
 namespace {
 
-Triangles gather(const std::vector<ModelledObject>& objects, const Triangles* (Model::*part)() const) {
-  Triangles all;
+std::vector<PlacedTriangles> gather(const std::vector<ModelledObject>& objects,
+                                    const Triangles* (Model::*part)() const) {
+  std::vector<PlacedTriangles> all;
   for (const ModelledObject& object : objects) {
-    if (const Triangles* triangles = (*object.model.*part)()) all.append(*triangles, object.transform.matrix());
+    const Triangles* const triangles = (*object.model.*part)();
+    if (triangles != nullptr) all.push_back({{object.model, triangles}, object.transform.matrix()});
   }
   return all;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "world/object.h"
@@ -14,25 +15,25 @@ namespace grove::world {
 /// all instances of the world and any number of threads.
 class WorldGeometry {
  public:
-  /// `progress`: see RayScene; runs once for each of the two.
+  /// `progress`: see RayScene; runs once for each of the two. Keeps the models.
   explicit WorldGeometry(const std::vector<ModelledObject>& objects, const std::function<void(float)>& progress = {});
 
   /// Surfaces that block smoke.
   [[nodiscard]] const RayScene& solids() const noexcept { return solids_; }
 
   /// Surfaces that block light.
-  [[nodiscard]] const Triangles& shades() const noexcept { return shades_; }
+  [[nodiscard]] std::span<const PlacedTriangles> shades() const noexcept { return shades_; }
   [[nodiscard]] const RayScene& rays() const noexcept { return rays_; }
 
   /// Both as voxels.
   [[nodiscard]] const VoxelObstacles& obstacles() const noexcept { return obstacles_; }
 
-  /// Memory use.
-  [[nodiscard]] std::size_t bytes() const noexcept { return solids_.bytes() + shades_.bytes() + rays_.bytes(); }
+  /// Memory use, without the models.
+  [[nodiscard]] std::size_t bytes() const noexcept { return solids_.bytes() + rays_.bytes(); }
 
  private:
   const RayScene solids_;
-  const Triangles shades_;
+  const std::vector<PlacedTriangles> shades_;
   const RayScene rays_;
   const RayObstacles obstacles_{solids_, rays_};
 };

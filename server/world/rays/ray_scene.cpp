@@ -7,7 +7,10 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <map>
 #include <mutex>
+#include <vector>
 
 #include "world/rays/embree_device.h"
 
@@ -17,8 +20,9 @@ struct RayScene::Handles {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::atomic<std::int64_t> bytes{0};
+  std::vector<glm::mat3> normalsToWorld;  ///< of each place
 
-  Handles() = default;
+  Handles();
   Handles(const Handles&) = delete;
   Handles& operator=(const Handles&) = delete;
   ~Handles() {
@@ -80,33 +84,85 @@ void passBacks(const RTCFilterFunctionNArguments* args) {
   }
 }
 
+/// Adds triangles to a scene.
+RTCGeometry attach(RTCDevice device, RTCScene scene, const Triangles& triangles) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  void* positions = requireBuffer(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                          sizeof(Vec3), triangles.positions.size()));
+  std::memcpy(positions, triangles.positions.data(), triangles.positions.size() * sizeof(Vec3));
+  void* indices = requireBuffer(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                        sizeof(triangles.indices[0]), triangles.indices.size()));
+  std::memcpy(indices, triangles.indices.data(), triangles.indices.size() * sizeof(triangles.indices[0]));
+  return geometry;
+}
+
+/// Adds a scene to another one, at a place.
+void attachAt(RTCDevice device, RTCScene scene, RTCScene part, const Mat4& toWorld) {
+  RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcAttachGeometry(scene, instance);
+  rtcReleaseGeometry(instance);
+  rtcSetGeometryInstancedScene(instance, part);
+  rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &toWorld[0][0]);
+  rtcCommitGeometry(instance);
+}
+
+/// Creates a scene that is not built yet.
+RTCScene newScene(RTCDevice device) {
+  RTCScene scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  return scene;
+}
+
+void commit(RTCDevice device, RTCScene scene, const std::function<void(float)>& progress) {
+  Build build(progress);
+  if (progress) rtcSetSceneProgressMonitorFunction(scene, &Build::report, &build);
+  rtcCommitScene(scene);
+  rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+  build.rethrow();
+  requireBuilt(device);
+}
+
 }  // namespace
+
+RayScene::Handles::Handles() : device(newEmbreeDevice()) {
+  rtcSetDeviceMemoryMonitorFunction(device, addBytes, &bytes);
+  scene = newScene(device);
+}
 
 RayScene::RayScene(const Triangles& triangles, const std::function<void(float)>& progress, Backs backs)
     : handles_(std::make_unique<Handles>()) {
-  handles_->device = newEmbreeDevice();
-  rtcSetDeviceMemoryMonitorFunction(handles_->device, addBytes, &handles_->bytes);
-  handles_->scene = rtcNewScene(handles_->device);
-  rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
   if (!triangles.indices.empty()) {
-    RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcAttachGeometry(handles_->scene, geometry);
-    rtcReleaseGeometry(geometry);
-    void* positions = requireBuffer(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                            sizeof(Vec3), triangles.positions.size()));
-    std::memcpy(positions, triangles.positions.data(), triangles.positions.size() * sizeof(Vec3));
-    void* indices = requireBuffer(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                          sizeof(triangles.indices[0]), triangles.indices.size()));
-    std::memcpy(indices, triangles.indices.data(), triangles.indices.size() * sizeof(triangles.indices[0]));
+    RTCGeometry geometry = attach(handles_->device, handles_->scene, triangles);
     if (backs == Backs::kPassed) rtcSetGeometryIntersectFilterFunction(geometry, passBacks);
     rtcCommitGeometry(geometry);
   }
-  Build build(progress);
-  if (progress) rtcSetSceneProgressMonitorFunction(handles_->scene, &Build::report, &build);
-  rtcCommitScene(handles_->scene);
-  rtcSetSceneProgressMonitorFunction(handles_->scene, nullptr, nullptr);
-  build.rethrow();
-  requireBuilt(handles_->device);
+  commit(handles_->device, handles_->scene, progress);
+}
+
+RayScene::RayScene(std::span<const PlacedTriangles> placed, const std::function<void(float)>& progress)
+    : handles_(std::make_unique<Handles>()) {
+  struct Release {
+    using pointer = RTCScene;
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+  RTCDevice device = handles_->device;
+  // Scenes that are placed keep their parts.
+  std::map<const Triangles*, std::unique_ptr<RTCScene, Release>> parts;
+  for (const PlacedTriangles& each : placed) parts[each.triangles.get()];
+  std::size_t built = 0;
+  for (auto& [triangles, part] : parts) {
+    part.reset(newScene(device));
+    if (!triangles->indices.empty()) rtcCommitGeometry(attach(device, part.get(), *triangles));
+    commit(device, part.get(), {});
+    if (progress) progress(static_cast<float>(++built) / static_cast<float>(parts.size()));
+  }
+  for (const PlacedTriangles& each : placed) {
+    attachAt(device, handles_->scene, parts.at(each.triangles.get()).get(), each.toWorld);
+    handles_->normalsToWorld.push_back(glm::inverseTranspose(glm::mat3(each.toWorld)));
+  }
+  commit(device, handles_->scene, {});
 }
 
 RayScene::~RayScene() = default;
@@ -141,10 +197,13 @@ std::optional<RayScene::Hit> RayScene::intersect(Vec3 origin, Vec3 direction, fl
   RTCRayHit query{};
   query.ray = makeRay(origin, direction, near, far);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(handles_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return Hit{query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v,
-             glm::normalize(Vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z))};
+  Vec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+  const unsigned place = query.hit.instID[0];
+  if (place != RTC_INVALID_GEOMETRY_ID) normal = handles_->normalsToWorld[place] * normal;
+  return Hit{query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v, glm::normalize(normal)};
 }
 
 bool RayScene::occluded(Vec3 origin, Vec3 direction, float near, float far) const {

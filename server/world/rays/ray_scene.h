@@ -5,10 +5,17 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "world/geometry.h"
 
 namespace grove::world {
+
+/// Triangles that stand at a place. Several places may share them.
+struct PlacedTriangles {
+  std::shared_ptr<const Triangles> triangles;
+  Mat4 toWorld{1.0F};
+};
 
 /// Triangles for ray tracing (Embree). Immutable after construction; any number of threads may trace.
 class RayScene {
@@ -20,14 +27,16 @@ class RayScene {
   /// construction.
   explicit RayScene(const Triangles& triangles, const std::function<void(float)>& progress = {},
                     Backs backs = Backs::kMet);
+  /// The same of triangles at their places; keeps one copy of those that several places share.
+  explicit RayScene(std::span<const PlacedTriangles> placed, const std::function<void(float)>& progress = {});
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
   struct Hit {
-    float distance = 0.0F;  ///< in lengths of the direction
-    std::uint32_t triangle = 0;
-    float u = 0.0F;  ///< barycentric: point = (1-u-v)*a + u*b + v*c
+    float distance = 0.0F;       ///< in lengths of the direction
+    std::uint32_t triangle = 0;  ///< of those at its place
+    float u = 0.0F;              ///< barycentric: point = (1-u-v)*a + u*b + v*c
     float v = 0.0F;
     Vec3 normal{0.0F};  ///< geometric, unit
   };

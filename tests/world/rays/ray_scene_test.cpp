@@ -49,6 +49,37 @@ TEST(RayScene, StopsBuildingWhenProgressThrows) {
   EXPECT_EQ(toldBefore, 1) << "nothing is told after that";
 }
 
+/// Fails if rays meet triangles at their own place only, or if normals stay in their coordinates.
+TEST(RayScene, HitsTrianglesAtAllTheirPlaces) {
+  const auto square = std::make_shared<const Triangles>(floorSquare());
+  const Mat4 upright = glm::rotate(Mat4(1.0F), glm::radians(90.0F), Vec3(0, 0, 1));
+  const std::vector<PlacedTriangles> placed{
+      {square, glm::translate(Mat4(1.0F), Vec3(10, 2, 0))},
+      {square, glm::scale(glm::translate(Mat4(1.0F), Vec3(20, 0, 0)), Vec3(3.0F))},
+      {square, glm::translate(Mat4(1.0F), Vec3(30, 0, 0)) * upright}};
+  const RayScene scene(placed);
+  EXPECT_FALSE(scene.occluded({0, 3, 0}, {0, -1, 0})) << "none stands at the origin";
+  const auto raised = scene.intersect({10, 3, 0.1F}, {0, -1, 0});
+  ASSERT_TRUE(raised);
+  EXPECT_NEAR(raised->distance, 1.0F, 1e-5F);
+  EXPECT_TRUE(scene.occluded({22.5F, 3, 0}, {0, -1, 0})) << "it is three times as wide";
+  const auto wall = scene.intersect({33, 0.1F, 0.2F}, {-1, 0, 0});
+  ASSERT_TRUE(wall);
+  EXPECT_NEAR(wall->distance, 3.0F, 1e-5F);
+  EXPECT_NEAR(std::abs(wall->normal.x), 1.0F, 1e-5F);
+}
+
+/// Fails if every place has triangles of its own: a forest of one tree then costs as much as one of many.
+TEST(RayScene, KeepsOneCopyForAllPlaces) {
+  Triangles many;
+  for (int i = 0; i < 1000; ++i) many.append(floorSquare(), glm::translate(Mat4(1.0F), Vec3(i, 0, 0)));
+  const auto shared = std::make_shared<const Triangles>(many);
+  std::vector<PlacedTriangles> placed;
+  placed.reserve(10);
+  for (int i = 0; i < 10; ++i) placed.push_back({shared, glm::translate(Mat4(1.0F), Vec3(0, i, 0))});
+  EXPECT_LT(RayScene(placed).bytes(), 2 * RayScene(many).bytes());
+}
+
 TEST(RayScene, ReportsItsMemory) {
   Triangles many;
   for (int i = 0; i < 1000; ++i) many.append(floorSquare(), glm::translate(Mat4(1.0F), Vec3(i, 0, 0)));

@@ -114,7 +114,11 @@ class Baker {
         sky_(cells_, 1.0F),
         cover_(cells_, 0.0F),
         near_(cells_, 1.0F) {
-    markNear(standing.shades);
+    for (const world::PlacedTriangles& each : standing.shades) {
+      world::Triangles placed;
+      placed.append(*each.triangles, each.toWorld);
+      markNear(placed);
+    }
   }
 
   void probe(int row) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "objects/ground/common/clearing.h"
@@ -24,9 +25,9 @@ struct ClearingOptions {
 
 /// The objects on the ground. All members outlive the bake.
 struct Standing {
-  const world::Triangles& shades;  ///< everything that blocks light
-  const world::RayScene& rays;     ///< the same as a ray scene
-  const world::RayScene& solids;   ///< the same without foliage
+  std::span<const world::PlacedTriangles> shades;  ///< everything that blocks light
+  const world::RayScene& rays;                     ///< the same as a ray scene
+  const world::RayScene& solids;                   ///< the same without foliage
 };
 
 /// Bakes the light on the ground from the sky and from a sun in the direction `sun`, a unit vector: soft shadows of a

@@ -36,7 +36,7 @@ Soil soilAt(const Clearing& clearing, world::Vec3 point) {
 class ClearingBake : public testing::Test {
  protected:
   const world::Vec3 stone{6.0F, 0.0F, 2.0F};
-  const world::Triangles solids = pillar(stone);
+  const std::vector<world::PlacedTriangles> solids{{std::make_shared<world::Triangles>(pillar(stone))}};
   const world::RayScene rays{solids};
   const ClearingOptions options{.size = 256, .metres = 40.0F};
   const Clearing clearing = bakeClearing(options, world::Sky().sun, {solids, rays, rays}, [](float) {});
@@ -130,10 +130,11 @@ world::Triangles roof(world::Vec3 place, float height) {
 
 /// Bakes with texels as small as the world's. `solid`: whether the surface is no foliage.
 Clearing bakedUnder(const world::Triangles& surface, bool solid) {
-  const world::RayScene rays(surface);
+  const std::vector<world::PlacedTriangles> surfaces{{std::make_shared<world::Triangles>(surface)}};
+  const world::RayScene rays(surfaces);
   const world::RayScene nothing{world::Triangles()};
-  return bakeClearing({.size = 512, .metres = 40.0F}, world::Sky().sun, {surface, rays, solid ? rays : nothing},
-                      [](float) {});
+  return bakeClearing({.size = 512, .metres = 40.0F}, world::Sky().sun, {surfaces, rays, solid ? rays : nothing},
+                      forEachRow);
 }
 
 TEST_F(ClearingBake, LowFoliageLeavesNoBlackGaps) {

@@ -39,8 +39,11 @@ std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const node::BackendSe
     }
   }
   checksum.add(light);
-  checksum.add(geometry.shades().positions);
-  checksum.add(geometry.shades().indices);
+  for (const world::PlacedTriangles& each : geometry.shades()) {
+    checksum.add(std::vector<world::Mat4>{each.toWorld});
+    checksum.add(each.triangles->positions);
+    checksum.add(each.triangles->indices);
+  }
   for (const PlacedMesh& mesh : meshes) {
     checksum.add(mesh.surface->vertices);
     checksum.add(std::vector<world::Mat4>{mesh.toWorld});
