@@ -265,18 +265,15 @@ class Baker {
 }  // namespace
 
 Clearing bakeClearing(const ClearingOptions& options, world::Vec3 sun, const Standing& standing,
-                      const std::function<void(float)>& progress) {
+                      const ForEachRow& forEachRow) {
   Baker baker(options, sun, standing);
-  for (int row = 0; row < baker.cells(); ++row) {
-    baker.probe(row);
-    progress(0.4F * static_cast<float>(row + 1) / static_cast<float>(baker.cells()));
-  }
-  std::vector<std::uint32_t> texels;
-  texels.reserve(static_cast<std::size_t>(options.size) * static_cast<std::size_t>(options.size));
-  for (int y = 0; y < options.size; ++y) {
-    for (int x = 0; x < options.size; ++x) texels.push_back(baker.texel(x, y));
-    progress(0.4F + 0.6F * static_cast<float>(y + 1) / static_cast<float>(options.size));
-  }
+  forEachRow("shade on the ground", static_cast<std::size_t>(baker.cells()),
+             [&](std::size_t row) { baker.probe(static_cast<int>(row)); });
+  const auto size = static_cast<std::size_t>(options.size);
+  std::vector<std::uint32_t> texels(size * size);
+  forEachRow("lighting the ground", size, [&](std::size_t y) {
+    for (std::size_t x = 0; x < size; ++x) texels[y * size + x] = baker.texel(static_cast<int>(x), static_cast<int>(y));
+  });
   return {Pyramid(options.size, std::move(texels)), options.metres};
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "objects/ground/common/clearing.h"
@@ -23,6 +25,11 @@ struct ClearingOptions {
   float detailed = std::numeric_limits<float>::infinity();
 };
 
+/// Calls `work` once for each number below `rows`, in any order and on any threads, and returns after that. The label
+/// says what is done.
+using ForEachRow =
+    std::function<void(std::string_view label, std::size_t rows, const std::function<void(std::size_t)>& work)>;
+
 /// The objects on the ground. All members outlive the bake.
 struct Standing {
   std::span<const world::PlacedTriangles> shades;  ///< everything that blocks light
@@ -32,8 +39,7 @@ struct Standing {
 
 /// Bakes the light on the ground from the sky and from a sun in the direction `sun`, a unit vector: soft shadows of a
 /// sun disc, and sky occlusion near objects. No grass grows under low foliage, which covers the ground itself.
-/// `progress` gets shares of 0..1.
 [[nodiscard]] Clearing bakeClearing(const ClearingOptions& options, world::Vec3 sun, const Standing& standing,
-                                    const std::function<void(float)>& progress);
+                                    const ForEachRow& forEachRow);
 
 }  // namespace grove::objects::ground

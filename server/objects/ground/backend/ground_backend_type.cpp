@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "node/backend/prepare/prepare_each.h"
 #include "objects/ground/backend/clearing_bake.h"
 #include "objects/ground/backend/meadow_bake.h"
 #include "objects/ground/common/ground_data.h"
@@ -35,10 +36,12 @@ GroundMaps bake(const node::BackendServices& services, const GroundModel& model,
   options.size = sizes.clearing;
   options.hills = services.scene.layout.hills;
   options.detailed = services.scene.layout.radius + kSeenFromNear;
-  const auto progress = [&](float share) { services.progress("lighting the ground", share); };
+  const auto onWorkers = [&](std::string_view label, std::size_t rows, const std::function<void(std::size_t)>& work) {
+    node::prepareEach(services, label, rows, work);
+  };
   const world::WorldGeometry& geometry = services.geometry;
   const Standing standing{geometry.shades(), geometry.rays(), geometry.solids()};
-  return {bakeClearing(options, services.scene.layout.sky.sun, standing, progress),
+  return {bakeClearing(options, services.scene.layout.sky.sun, standing, onWorkers),
           bakeMeadow(sizes.meadow, kMeadowMetres, options.seed), options.hills};
 }
 

@@ -33,13 +33,17 @@ Soil soilAt(const Clearing& clearing, world::Vec3 point) {
   return {channel(0), channel(8), channel(16), channel(24)};
 }
 
+void forEachRow(std::string_view /*label*/, std::size_t rows, const std::function<void(std::size_t)>& work) {
+  for (std::size_t row = 0; row < rows; ++row) work(row);
+}
+
 class ClearingBake : public testing::Test {
  protected:
   const world::Vec3 stone{6.0F, 0.0F, 2.0F};
   const std::vector<world::PlacedTriangles> solids{{std::make_shared<world::Triangles>(pillar(stone))}};
   const world::RayScene rays{solids};
   const ClearingOptions options{.size = 256, .metres = 40.0F};
-  const Clearing clearing = bakeClearing(options, world::Sky().sun, {solids, rays, rays}, [](float) {});
+  const Clearing clearing = bakeClearing(options, world::Sky().sun, {solids, rays, rays}, forEachRow);
   const world::Vec3 sunward = glm::normalize(world::Sky().sun * world::Vec3(1, 0, 1));
 };
 
@@ -57,7 +61,7 @@ TEST_F(ClearingBake, ShadowsOnAHillsideAreShorter) {
   const world::Vec3 away = stone - sunward * 14.0F;
   ClearingOptions hilly = options;
   hilly.hills = {{{away.x, away.z}, 6.0F, 1.5F}};
-  const Clearing onHill = bakeClearing(hilly, world::Sky().sun, {solids, rays, rays}, [](float) {});
+  const Clearing onHill = bakeClearing(hilly, world::Sky().sun, {solids, rays, rays}, forEachRow);
   float last = 0.0F;
   float lastOnHill = 0.0F;
   for (int step = 10; step < 100; ++step) {
@@ -95,7 +99,7 @@ TEST_F(ClearingBake, NoGrassGrowsAtTheFire) {
 TEST_F(ClearingBake, LightIsSimilarWhereNobodyComesNear) {
   ClearingOptions coarse = options;
   coarse.detailed = 1.0F;
-  const Clearing far = bakeClearing(coarse, world::Sky().sun, {solids, rays, rays}, [](float) {});
+  const Clearing far = bakeClearing(coarse, world::Sky().sun, {solids, rays, rays}, forEachRow);
   double sun = 0.0;
   double sky = 0.0;
   double grass = 0.0;
