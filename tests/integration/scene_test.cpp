@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <set>
+#include <string_view>
 
 #include "cli/prepare/prepare_world.h"
 #include "integration/served_scene.h"
@@ -86,6 +89,39 @@ TEST(BuiltInScene, StoppedPreparationLeavesNoPartialFiles) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
     EXPECT_NE(entry.path().extension(), ".glf") << entry.path();
   }
+}
+
+/// Fails if each of many plants is sketched before the world opens, or if one keeps another's look when it has its own.
+TEST(Scene, ManyLightFieldsShareRoughOnesAtFirst) {
+  const objects::lightfield::TemporaryFolder folder;
+  ASSERT_EQ(setenv("GROVE_CACHE", folder.path().c_str(), 1), 0);
+  std::string text;
+  for (int seed = 1; seed <= 9; ++seed) {
+    text += "[[object]]\ntype = 'lightfield'\nplant = 'fern'\nlightings = 1\nsubdivision = 2\nsize = 32\nseed = " +
+            std::to_string(seed) + "\nposition = [" + std::to_string(seed) + ", 0, 0]\n";
+  }
+  const world::Scene scene = world::parseScene("spawn = [0, 0, 0]\n" + text, "scene.toml");
+  const node::BackendTypes types = objects::builtinBackends();
+  const auto left = cli::prepareFirstLook(scene, types, [](std::string_view, float) {}, {});
+  ASSERT_TRUE(left);
+  ASSERT_EQ(left->size(), 9u);
+  using std::filesystem::directory_iterator;
+  EXPECT_EQ(std::distance(directory_iterator(folder.path() / "light-fields"), {}), 1);
+  const node::LoadedScene loaded = node::loadScene(scene, types);
+  const auto fieldOf = [&](std::size_t object) {
+    return static_cast<const objects::lightfield::LightFieldModel&>(*loaded.objects[object].model).shown();
+  };
+  const auto storages = [&] {
+    std::set<const void*> all;
+    for (std::size_t i = 0; i < loaded.objects.size(); ++i) all.insert(fieldOf(i)->field.storage.get());
+    return all.size();
+  };
+  EXPECT_EQ(storages(), 1u);
+  // The other may be larger.
+  EXPECT_GT(fieldOf(8)->field.bounds.high.y, fieldOf(0)->field.bounds.high.y);
+  ASSERT_TRUE(left->front()->make([](std::string_view, float) {}, {}));
+  ASSERT_TRUE(left->front()->show());
+  EXPECT_EQ(storages(), 2u);
 }
 
 TEST(Scene, TypeSettingErrorsNameLineAndReason) {

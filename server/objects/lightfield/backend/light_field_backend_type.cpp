@@ -26,6 +26,16 @@ const char* keyOf(const LightFieldSource& source) {
   return !source.model.plant.empty() ? "plant" : !source.model.file.empty() ? "model" : "file";
 }
 
+/// The size of plants of one kind differs by less.
+constexpr float kAnother = 1.15F;
+
+/// The light field as another plant of its kind, which may be larger.
+LightField likeIt(LightField field) {
+  world::Bounds& bounds = field.bounds;
+  for (world::Vec3* const corner : {&bounds.low, &bounds.high}) *corner *= kAnother;
+  return field;
+}
+
 std::string complaint(const LightFieldSource& source, const std::exception& e) {
   return std::string("'") + keyOf(source) + "': " + e.what();
 }
@@ -51,8 +61,16 @@ std::shared_ptr<const world::Model> LightFieldBackendType::model(const world::Pa
 }
 
 LightField LightFieldBackendType::open(const std::filesystem::path& file) const {
-  const auto known = known_.find(file);
-  return known == known_.end() ? openLightField(file) : known->second;
+  auto field = found(file);
+  return field ? *std::move(field) : openLightField(file);
+}
+
+std::optional<LightField> LightFieldBackendType::found(const std::filesystem::path& file) const {
+  if (const auto known = known_.find(file); known != known_.end()) return known->second;
+  const auto like = likes_.find(file);
+  if (like == likes_.end()) return std::nullopt;
+  const auto other = known_.find(like->second);
+  return other == known_.end() ? std::nullopt : std::optional(likeIt(other->second));
 }
 
 void LightFieldBackendType::show(const std::filesystem::path& file, const LightField& field) const {
@@ -64,10 +82,14 @@ void LightFieldBackendType::show(const std::filesystem::path& file, const LightF
   }
 }
 
+void LightFieldBackendType::showLike(const std::filesystem::path& file, const std::filesystem::path& other) const {
+  const std::lock_guard lock(mutex_);
+  likes_.insert_or_assign(file, other);
+}
+
 std::optional<LightField> LightFieldBackendType::shown(const std::filesystem::path& file) const {
   const std::lock_guard lock(mutex_);
-  const auto known = known_.find(file);
-  return known == known_.end() ? std::nullopt : std::optional(known->second);
+  return found(file);
 }
 
 std::shared_ptr<const node::TypeOptions> LightFieldBackendType::options(const world::Parameters& parameters) const {

@@ -29,15 +29,21 @@ class LightFieldBackendType final : public node::BackendType {
   /// Objects with this file show `field` from now on, also in running worlds: the final one, or a rough one until that
   /// is made.
   void show(const std::filesystem::path& file, const LightField& field) const;
+  /// Objects with this file show what `other` shows when they are opened, until show() has something better. The other
+  /// is a plant of the same kind.
+  void showLike(const std::filesystem::path& file, const std::filesystem::path& other) const;
   /// The light field that this file currently shows; nothing if the file has not been opened.
   [[nodiscard]] std::optional<LightField> shown(const std::filesystem::path& file) const;
 
  private:
   [[nodiscard]] LightField open(const std::filesystem::path& file) const;
+  [[nodiscard]] std::optional<LightField> found(const std::filesystem::path& file) const;
 
   mutable std::mutex mutex_;
   /// Open light fields by file: the final one, or a rough one until that is made.
   mutable std::map<std::filesystem::path, LightField> known_;
+  /// See showLike().
+  mutable std::map<std::filesystem::path, std::filesystem::path> likes_;
   mutable models::FileNames names_;
   /// Shares models, so that a forest of one tree is one copy in memory.
   mutable std::map<std::pair<std::string, SamplerKind>, std::weak_ptr<LightFieldModel>> models_;

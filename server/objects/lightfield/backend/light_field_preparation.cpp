@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -20,10 +21,14 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// Rough light fields draw a tree with the pixels of a thumbnail, from all directions. Measured: all eight of the default
-/// world take 5 seconds of two cores.
+/// Rough light fields draw a tree with the pixels of a thumbnail, from all directions. Measured: all eight of the
+/// default world take 5 seconds of two cores.
 constexpr int kRoughSubdivision = 4;
 constexpr int kRoughSize = 128;
+
+/// Of more light fields, only the nearest of each plant has a rough one, which the others show, too. So a world of
+/// forty opens nearly as soon as one of eight.
+constexpr std::size_t kOwnRough = 8;
 
 /// Shares of a bake's time; the rest is the file.
 constexpr float kLightShare = 0.6F;
@@ -43,6 +48,18 @@ class LightFieldPreparation final : public node::Preparation {
       : source_(std::move(source)), parameters_(parameters), sky_(sky), type_(type) {}
 
   void addPlace(float scale, float distance) { places_.push_back({scale, distance}); }
+
+  /// Metres from the spawn point to the nearest place.
+  [[nodiscard]] float distance() const { return std::ranges::min(places_, {}, &Place::distance).distance; }
+
+  /// Whether objects can show this one until they have their own: the same plant, under the same suns.
+  [[nodiscard]] bool isLike(const LightFieldPreparation& other) const {
+    return !source_.model.plant.empty() && source_.model.plant == other.source_.model.plant &&
+           source_.lightings == other.source_.lightings;
+  }
+
+  /// Lets showRoughly() show the other one.
+  void setLike(const LightFieldPreparation& other) { like_ = other.source_.file; }
 
   [[nodiscard]] std::string_view kind() const override { return "light field"; }
   [[nodiscard]] std::string name() const override {
@@ -78,6 +95,10 @@ class LightFieldPreparation final : public node::Preparation {
 
   [[nodiscard]] bool showRoughly(const std::optional<std::filesystem::path>& elsewhere, int threads,
                                  const Progress& progress, const std::stop_token& stop) override {
+    if (!like_.empty()) {
+      type_.showLike(source_.file, like_);
+      return true;
+    }
     bake::BakeOptions rough = roughOptions();
     rough.threads = threads;
     const std::filesystem::path file = elsewhere.value_or(source_.file.parent_path()) /
@@ -147,8 +168,19 @@ class LightFieldPreparation final : public node::Preparation {
   const world::Sky sky_;
   const LightFieldBackendType& type_;
   std::vector<Place> places_;
-  std::string damage_;  ///< already logged
+  std::filesystem::path like_;  ///< empty: it has a rough one of its own
+  std::string damage_;          ///< already logged
 };
+
+void letFarOnesShareRoughOnes(std::vector<LightFieldPreparation*> all) {
+  if (all.size() <= kOwnRough) return;
+  std::ranges::stable_sort(all, {}, &LightFieldPreparation::distance);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto nearer = std::span(all).first(i);
+    const auto like = std::ranges::find_if(nearer, [&](const auto* other) { return all[i]->isLike(*other); });
+    if (like != nearer.end()) all[i]->setLike(**like);
+  }
+}
 
 }  // namespace
 
@@ -165,6 +197,10 @@ std::vector<std::unique_ptr<node::Preparation>> lightFieldPreparations(const wor
       preparation = std::make_unique<LightFieldPreparation>(std::move(source), object.parameters, scene.sky, type);
     preparation->addPlace(object.transform.scale, glm::distance(object.transform.position, scene.spawn));
   }
+  std::vector<LightFieldPreparation*> all;
+  all.reserve(wanted.size());
+  for (const auto& [file, preparation] : wanted) all.push_back(preparation.get());
+  letFarOnesShareRoughOnes(std::move(all));
   std::vector<std::unique_ptr<node::Preparation>> preparations;
   preparations.reserve(wanted.size());
   for (auto& [file, preparation] : wanted) preparations.push_back(std::move(preparation));
