@@ -106,6 +106,8 @@ LightField openLightField(const std::filesystem::path& file) {
   const auto mapped = std::make_shared<const MappedFile>(file);
   LightField field = readLightField(mapped->bytes(), file.string(), mapped);
   field.mapped = mapped.get();
+  // The checks have read every page; pictures need few.
+  mapped->release();
   return field;
 }
 

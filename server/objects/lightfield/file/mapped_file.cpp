@@ -35,6 +35,11 @@ MappedFile::~MappedFile() {
   if (!bytes_.empty()) munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
 }
 
+void MappedFile::release() const noexcept {
+  // If it fails, the pages stay, which costs memory only.
+  if (!bytes_.empty()) (void)madvise(const_cast<std::byte*>(bytes_.data()), bytes_.size(), MADV_DONTNEED);
+}
+
 void MappedFile::reportOnce() const noexcept {
   if (!reported_.exchange(true)) log::warning(cutMessage_);
 }

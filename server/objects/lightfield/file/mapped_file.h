@@ -23,6 +23,10 @@ class MappedFile {
 
   [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return bytes_; }
 
+  /// Leaves the pages that were read to the system's cache of files: they no longer count as this process's memory, and
+  /// come back with the next access.
+  void release() const noexcept;
+
   /// Logs once if a truncated part has been read. Any thread; free otherwise.
   void reportIfCut() const noexcept {
     if (guard_ && guard_->cut()) reportOnce();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
@@ -19,6 +20,32 @@ namespace grove::objects::lightfield {
 namespace {
 
 using testing::HasSubstr;
+
+/// Bytes of files that count as this process's memory.
+std::size_t fileBytesInMemory() {
+  std::ifstream statm("/proc/self/statm");
+  std::size_t size = 0;
+  std::size_t resident = 0;
+  std::size_t shared = 0;
+  statm >> size >> resident >> shared;
+  return shared * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// Fails if a light field whose checksums were read counts as memory as a whole.
+TEST(MappedFile, ReleasedPagesCountNoMore) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "large";
+  constexpr std::size_t kBytes = std::size_t{32} << 20U;
+  std::ofstream(path) << std::string(kBytes, 'g');
+  const MappedFile file(path);
+  const std::size_t before = fileBytesInMemory();
+  const auto isG = [](std::byte value) { return value == std::byte{'g'}; };
+  EXPECT_TRUE(std::ranges::all_of(file.bytes(), isG));
+  EXPECT_GT(fileBytesInMemory(), before + kBytes / 2);
+  file.release();
+  EXPECT_LT(fileBytesInMemory(), before + kBytes / 4);
+  EXPECT_TRUE(std::ranges::all_of(file.bytes(), isG));
+}
 
 template <class T>
 void expectSame(std::span<const T> a, std::span<const T> b) {
