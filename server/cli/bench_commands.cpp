@@ -9,6 +9,7 @@
 #include "cli/bench/machine/bench_machine.h"
 #include "cli/bench/picture_size.h"
 #include "cli/options/choose.h"
+#include "cli/prepare/prepare_world.h"
 #include "node/limits.h"
 
 namespace grove::cli {
@@ -95,7 +96,7 @@ void BenchCommands::addAmortize() {
              ->delimiter(','),
          kCourses)
       ->excludes(capacity);
-  amortize->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
+  amortize->add_option("--scene", options.scene, aboutScene());
   addSize(amortize, options.size);
   addTransport(amortize, options.transport);
   amortize->add_flag("--json", options.json, "Print one JSON document");
@@ -154,7 +155,7 @@ void BenchCommands::addPipeline() {
       ->capture_default_str();
   addNumber(*pipeline, "--users", options.users, 1, 1024, "Visitors");
   addNumber(*pipeline, "--seconds", options.seconds, 0.1, 60.0, "Seconds to measure each number of frames in flight");
-  pipeline->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
+  pipeline->add_option("--scene", options.scene, aboutScene());
   addSize(pipeline, options.size);
   addTransport(pipeline, options.transport);
   pipeline->add_flag("--json", options.json, "Print one JSON document");
@@ -166,7 +167,7 @@ void BenchCommands::addView() {
   CLI::App* view = bench_->add_subcommand(
       "view", "Measure the cost of one visitor's frames on a walk, and their error against drawing everything");
   addWalk(view, options.walk, options.seconds);
-  view->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
+  view->add_option("--scene", options.scene, aboutScene());
   addSize(view, options.size);
   CLI::Option* stand =
       view->add_flag("--stand", options.stand, "Measure standing visitors where the walk begins, in a world at rest");

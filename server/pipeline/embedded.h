@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-/// Files compiled into the binary (shaders, the page, the default scene), see `grove_embed` in server/cmake.
+/// Files compiled into the binary (shaders, the page, scenes), see `grove_embed` in server/cmake.
 namespace grove::embedded {
 
 struct File {
@@ -16,7 +16,7 @@ struct File {
 };
 
 std::span<const File> shaders();
-std::span<const File> scenes();
+std::span<const File> scenes();  ///< the default one first
 std::span<const File> web();
 
 }  // namespace grove::embedded

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <numeric>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "base/cache_folder.h"
@@ -88,12 +89,31 @@ bool showRoughlyToKeep(const Preparations& missing, const Report& report, const 
   return showRoughly(missing, std::nullopt, report, stop);
 }
 
+std::string nameOf(const embedded::File& scene) { return std::filesystem::path(scene.path).stem().string(); }
+
+std::string builtInNames() {
+  std::string names;
+  for (const embedded::File& scene : embedded::scenes()) names += (names.empty() ? "" : ", ") + nameOf(scene);
+  return names;
+}
+
 }  // namespace
 
-world::Scene openScene(const std::optional<std::string>& file) {
-  if (file) return world::loadScene(*file);
-  const embedded::File& grove = embedded::scenes().front();
-  return world::parseScene(grove.text(), grove.path);
+std::string aboutScene() {
+  return "Name of a built-in scene (" + builtInNames() +
+         "), or a scene file (default: " + nameOf(embedded::scenes().front()) + ")";
+}
+
+world::Scene openScene(const std::optional<std::string>& nameOrFile) {
+  const auto scenes = embedded::scenes();
+  const auto builtIn = nameOrFile ? std::ranges::find(scenes, *nameOrFile, nameOf) : scenes.begin();
+  if (builtIn != scenes.end()) return world::parseScene(builtIn->text(), builtIn->path);
+  std::error_code ignored;
+  if (!std::filesystem::exists(*nameOrFile, ignored)) {
+    throw EnvironmentError("is neither a file nor a built-in scene", *nameOrFile,
+                           "give --scene a file, or one of " + builtInNames());
+  }
+  return world::loadScene(*nameOrFile);
 }
 
 void setViewError(world::Scene& scene, std::optional<float> viewError) {

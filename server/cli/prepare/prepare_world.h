@@ -17,8 +17,12 @@ namespace grove::cli {
 
 using Preparations = std::vector<std::unique_ptr<node::Preparation>>;
 
-/// Loads a scene file, or the built-in grove. Throws world::SceneError or EnvironmentError.
-[[nodiscard]] world::Scene openScene(const std::optional<std::string>& file);
+/// What `--scene` says of itself, with the names of the built-in scenes.
+[[nodiscard]] std::string aboutScene();
+
+/// Loads a built-in scene, by its name, or a scene file; without either, the default scene. Throws world::SceneError or
+/// EnvironmentError.
+[[nodiscard]] world::Scene openScene(const std::optional<std::string>& nameOrFile);
 
 /// Replaces the light fields' view error by that of `--view-error`, in pixels, if there is one.
 void setViewError(world::Scene& scene, std::optional<float> viewError);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/options/choose.h"
+#include "cli/prepare/prepare_world.h"
 
 namespace grove::cli {
 namespace {
@@ -106,7 +107,7 @@ void addGl(CLI::App& app, gl::ContextKind& kind) {
 
 void addServe(CLI::App& app, ServeOptions& options) {
   CLI::App* serve = app.add_subcommand("serve", "Serve a world to browsers");
-  serve->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
+  serve->add_option("--scene", options.scene, aboutScene());
   serve->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
   serve->add_option("--operator", options.operators,
                     "Address and port of the operator's page (default: 127.0.0.1, the next port)");
@@ -139,7 +140,7 @@ void addServe(CLI::App& app, ServeOptions& options) {
 
 void addWorld(CLI::App& app, WorldOptions& options) {
   CLI::App* world = app.add_subcommand("world", "Own a world that servers show (grove serve --join)");
-  world->add_option("--scene", options.scene, "Scene file, the same as the servers' (default: the grove, built in)");
+  world->add_option("--scene", options.scene, aboutScene() + "; the same as the servers'");
   world->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
   addListenerTls(*world, options.links);
 }
@@ -150,7 +151,7 @@ void addNode(CLI::App& app, NodeOptions& options) {
       ->type_name("NAME")
       ->delimiter(',')
       ->required();
-  node->add_option("--scene", options.scene, "Scene file, the same as the servers' (default: the grove, built in)");
+  node->add_option("--scene", options.scene, aboutScene() + "; the same as the servers'");
   node->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
   addListenerTls(*node, options.links);
   CLI::Option* obstacles =
