@@ -47,7 +47,7 @@ float sunInTheMiddle(const SunGrid& grid, int y) {
 }
 
 TEST(SunGrid, OpenFieldIsFullySunlit) {
-  const SunGrid grid = makeSunGrid(objectOf({2, 1, 2}, {}), world::Sky().sun, world::RayScene({}));
+  const SunGrid grid = makeSunGrid(objectOf({2, 1, 2}, {}), world::Sky().sun, world::RayScene(world::Triangles{}));
   EXPECT_TRUE(grid.whole);
   EXPECT_EQ(grid.sun.size(), static_cast<std::size_t>(grid.cells[0] * grid.cells[1] * grid.cells[2]));
 }
