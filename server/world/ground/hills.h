@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "world/geometry.h"
@@ -16,6 +17,9 @@ struct Hill {
 
 /// Hills stay below visitors' eyes, so that none rises above the horizon of the plane.
 inline constexpr float kMaxGroundHeight = 1.6F;
+
+/// Of a scene. Every height is a sum over all of them.
+inline constexpr std::size_t kMaxHills = 64;
 
 /// Height of the ground at a place (x and z), metres: the sum of the hills there.
 [[nodiscard]] float groundHeight(std::span<const Hill> hills, Vec2 place) noexcept;

@@ -206,6 +206,23 @@ LightDescription readLight(const Parameters& parameters) {
   return light;
 }
 
+std::vector<Hill> readHills(const Parameters::Table& root) {
+  const std::vector<const toml::table*> tables = tablesOf(root, "hill");
+  if (tables.size() > kMaxHills) {
+    root.fail(tables[kMaxHills],
+              "hill: a scene has " + std::to_string(kMaxHills) + " hills at most; remove this and those that follow");
+  }
+  std::vector<Hill> hills;
+  hills.reserve(tables.size());
+  for (const toml::table* table : tables) hills.push_back(readHill(Parameters(root.inner(*table, "hill: "))));
+  if (const auto hill = tooHighHill(hills)) {
+    root.fail(tables[*hill],
+              "hill: together with others it is higher than 1.6 m, so that visitors cannot see over it; "
+              "lower one of them, or move it away");
+  }
+  return hills;
+}
+
 std::map<std::string, Parameters, std::less<>> readTypeOptions(const Parameters::Table& root) {
   std::map<std::string, Parameters, std::less<>> options;
   const toml::node* const types = root.find("types");
@@ -254,11 +271,7 @@ Scene parseScene(std::string_view text, const std::string& fileName) {
   for (const toml::table* table : tablesOf(*root, "light")) {
     scene.lights.push_back(readLight(Parameters(root->inner(*table, "light: "))));
   }
-  for (const toml::table* table : tablesOf(*root, "hill")) {
-    scene.hills.push_back(readHill(Parameters(root->inner(*table, "hill: "))));
-    if (!areLowEnough(scene.hills))
-      root->fail(table, "together with other hills, it is too high for visitors to see over");
-  }
+  scene.hills = readHills(*root);
   standOnGround(scene);
   if (const toml::node* visitor = root->find("visitor")) {
     if (!visitor->is_table()) root->fail(visitor, "'visitor' must be written as [visitor]");

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
+
 #include "world/scenes/scene_file.h"
 
 namespace grove::world {
@@ -7,10 +11,10 @@ namespace grove::world {
 /// Reads one `[[hill]]` of a scene file. Throws SceneError.
 [[nodiscard]] Hill readHill(const Parameters& parameters);
 
-/// Whether the ground is nowhere higher than kMaxGroundHeight.
-[[nodiscard]] bool areLowEnough(const std::vector<Hill>& hills);
+/// Returns the index of a hill on which the ground is higher than kMaxGroundHeight.
+[[nodiscard]] std::optional<std::size_t> tooHighHill(std::span<const Hill> hills);
 
-/// Raises the scene's objects, lights and spawn, whose heights count from the ground, and leans objects with it.
+/// Raises the scene's objects, lights and spawn, whose heights count from the ground below, and leans objects with it.
 void standOnGround(Scene& scene);
 
 }  // namespace grove::world

@@ -148,22 +148,61 @@ position = [8, 2, 0]
   EXPECT_FLOAT_EQ(scene.spawn.y, groundHeight(scene.hills, {10.0F, 0.0F}));
 }
 
-/// Fails if a scene makes ground that rises above the horizon.
+/// Fails if a scene makes ground that rises above the horizon or is infinite, or if a refusal does not say how to mend
+/// it.
 TEST(SceneFile, RefusesBadHills) {
-  const auto reasonOf = [](const std::string& text) {
-    try {
-      (void)parseScene(text, "test.toml");
-    } catch (const SceneError& e) {
-      return std::string(e.what());
-    }
-    return std::string();
+  const auto complaint = [](const std::string& keys) { return complaintAbout("[[hill]]\n" + keys + "\n"); };
+  EXPECT_EQ(complaint("radius = 200\nheight = 1.6"), "");
+  EXPECT_EQ(complaint("radius = 0.5\nheight = 0"), "");
+  EXPECT_EQ(complaint("height = 1"), "test.toml:1: hill: 'radius' is missing; it must lie between 0.5 and 200");
+  EXPECT_EQ(complaint("radius = 9"), "test.toml:1: hill: 'height' is missing; it must lie between 0 and 1.6");
+  for (const char* const radius : {"0", "0.4", "201", "-5", "nan", "inf"}) {
+    EXPECT_EQ(complaint("height = 1\nradius = " + std::string(radius)),
+              "test.toml:3: hill: 'radius' must lie between 0.5 and 200");
+  }
+  for (const char* const height : {"-0.1", "1.7", "nan", "-inf"}) {
+    EXPECT_EQ(complaint("radius = 5\nheight = " + std::string(height)),
+              "test.toml:3: hill: 'height' must lie between 0 and 1.6");
+  }
+  const std::string shape = "\nradius = 5\nheight = 1";
+  EXPECT_EQ(complaint("position = [1, 0.1, 2]" + shape),
+            "test.toml:2: hill: 'position' must have y = 0: hills rise from there by their height");
+  EXPECT_THAT(complaint("position = [1, 0, nan]" + shape), HasSubstr("within +-1000"));
+  EXPECT_THAT(complaint("position = [1, 2]" + shape), HasSubstr("must be three numbers"));
+  EXPECT_THAT(complaint("size = 1" + shape), AllOf(StartsWith("test.toml:2: "), HasSubstr("unknown key 'size'")));
+  EXPECT_THAT(complaintAbout("hill = 3\n"), HasSubstr("[[hill]]"));
+}
+
+/// Fails if a scene may have so many hills that every height takes long.
+TEST(SceneFile, RefusesTooManyHills) {
+  std::string most;
+  for (std::size_t i = 0; i < kMaxHills; ++i) most += "[[hill]]\nradius = 1\nheight = 0\n";
+  EXPECT_EQ(complaintAbout(most), "");
+  EXPECT_EQ(complaintAbout(most + "[[hill]]\n"),
+            "test.toml:193: hill: a scene has 64 hills at most; remove this and those that follow");
+}
+
+/// Fails if hills that are low enough one by one add up to one that visitors cannot see over.
+TEST(SceneFile, RefusesHillsThatAreTooHighTogether) {
+  const auto hill = [](const std::string& position, const std::string& shape) {
+    return "[[hill]]\nposition = " + position + "\n" + shape + "\n";
   };
-  EXPECT_THAT(reasonOf("[[hill]]\nheight = 1.7"), testing::HasSubstr("test.toml:2: "));
-  EXPECT_THAT(reasonOf("[[hill]]\nheight = -0.1"), testing::HasSubstr("height"));
-  EXPECT_THAT(reasonOf("[[hill]]\nradius = 0"), testing::HasSubstr("radius"));
-  EXPECT_THAT(reasonOf("[[hill]]\nradius = nan"), testing::HasSubstr("radius"));
-  EXPECT_THAT(reasonOf("[[hill]]\nsize = 3"), testing::HasSubstr("size"));
-  EXPECT_THAT(reasonOf("[[hill]]\n[[hill]]\nposition = [4, 0, 0]"), testing::HasSubstr("test.toml:2: together"));
+  const std::string wide = hill("[0, 0, 0]", "radius = 20\nheight = 1.0");
+  EXPECT_EQ(complaintAbout(wide + hill("[0, 0, 3]", "radius = 4\nheight = 0.5")), "");
+  EXPECT_EQ(complaintAbout(wide + hill("[19, 0, 0]", "radius = 1\nheight = 1.5")), "");
+  EXPECT_EQ(complaintAbout(wide + hill("[1.3, 0, 1.3]", "radius = 1\nheight = 0.7")),
+            "test.toml:5: hill: together with others it is higher than 1.6 m, so that visitors cannot see over it; "
+            "lower one of them, or move it away")
+      << "between the places that are looked at on the first hill";
+  EXPECT_THAT(complaintAbout(hill("[9, 0, 0]", "radius = 10\nheight = 1.5") + "\n" +
+                             hill("[0, 0, 0]", "radius = 10\nheight = 1.5")),
+              StartsWith("test.toml:1: hill: together"))
+      << "between their tops";
+  EXPECT_EQ(
+      complaintAbout(hill("[0, 0, 0]", "radius = 9\nheight = 0.6") + hill("[0, 0, 0]", "radius = 9\nheight = 0.8") +
+                     hill("[0, 0, 0]", "radius = 9\nheight = 0.2")),
+      "")
+      << "1.6 m, but for rounding";
 }
 
 TEST(SceneFile, ErrorsNameLineAndReason) {

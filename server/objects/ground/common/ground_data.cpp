@@ -10,7 +10,6 @@ namespace {
 
 constexpr int kMaxSize = 1 << 12;
 constexpr float kMaxMetres = 1.0e5F;
-constexpr int kMaxHills = 1 << 16;
 
 /// Writes all levels: in a map that is in blocks, the coarser levels cannot be computed from the finest.
 void putPyramid(node::PackWriter& writer, const Pyramid& pyramid) {
@@ -33,7 +32,7 @@ void putHills(node::PackWriter& writer, const std::vector<world::Hill>& hills) {
 }
 
 std::vector<world::Hill> takeHills(node::PackReader& reader) {
-  const int count = reader.takeWithin(0, kMaxHills);
+  const int count = reader.takeWithin(0, static_cast<int>(world::kMaxHills));
   reader.expect(static_cast<std::size_t>(count) * 4 * sizeof(float));
   std::vector<world::Hill> hills(static_cast<std::size_t>(count));
   for (world::Hill& hill : hills) {
