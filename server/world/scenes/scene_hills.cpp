@@ -60,8 +60,9 @@ std::optional<std::size_t> tooHighHill(std::span<const Hill> hills) {
 void standOnGround(Scene& scene) {
   const auto heightAt = [&](Vec3 position) { return groundHeight(scene.hills, placeOf(position)); };
   for (ObjectDescription& object : scene.objects) {
+    if (object.type == "ground" || object.type == "sky") continue;
     Transform& transform = object.transform;
-    transform.slope = groundSlope(scene.hills, placeOf(transform.position));
+    if (object.type != "fluid") transform.slope = groundSlope(scene.hills, placeOf(transform.position));
     transform.position.y += heightAt(transform.position);
   }
   for (LightDescription& light : scene.lights) light.position.y += heightAt(light.position);

@@ -15,6 +15,7 @@ namespace grove::world {
 [[nodiscard]] std::optional<std::size_t> tooHighHill(std::span<const Hill> hills);
 
 /// Raises the scene's objects, lights and spawn, whose heights count from the ground below, and leans objects with it.
+/// The ground and the sky stay, and fluids do not lean, because their cubes are upright.
 void standOnGround(Scene& scene);
 
 }  // namespace grove::world

@@ -148,6 +148,31 @@ position = [8, 2, 0]
   EXPECT_FLOAT_EQ(scene.spawn.y, groundHeight(scene.hills, {10.0F, 0.0F}));
 }
 
+/// Fails if the horizon or the ground itself rises with a hill, or if a fire's cube leans.
+TEST(SceneFile, SkyAndGroundStayAndFluidsAreUpright) {
+  const Scene scene = parseScene(R"(
+[[hill]]
+position = [4, 0, 0]
+radius = 8
+height = 1.2
+[[object]]
+type = "fluid"
+position = [2, 0, 0]
+[[object]]
+type = "sky"
+position = [2, 0, 0]
+[[object]]
+type = "ground"
+position = [2, 0, 0]
+)",
+                                 "test.toml");
+  ASSERT_GT(groundHeight(scene.hills, {2.0F, 0.0F}), 1.0F);
+  EXPECT_FLOAT_EQ(scene.objects.at(0).transform.position.y, groundHeight(scene.hills, {2.0F, 0.0F}));
+  for (const ObjectDescription& object : scene.objects) EXPECT_EQ(object.transform.slope, Vec2(0.0F)) << object.type;
+  EXPECT_EQ(scene.objects.at(1).transform.position, Vec3(2.0F, 0.0F, 0.0F));
+  EXPECT_EQ(scene.objects.at(2).transform.position, Vec3(2.0F, 0.0F, 0.0F));
+}
+
 /// Fails if a scene makes ground that rises above the horizon or is infinite, or if a refusal does not say how to mend
 /// it.
 TEST(SceneFile, RefusesBadHills) {
