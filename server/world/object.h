@@ -28,6 +28,9 @@ class Model {
   /// Radius in metres of the upright cylinder that visitors walk around; nothing if they can walk through.
   [[nodiscard]] virtual std::optional<float> obstacleRadius() const { return std::nullopt; }
 
+  /// Whether the object is the ground, on which the scene's hills rise above bounds().
+  [[nodiscard]] virtual bool hasHills() const { return false; }
+
   /// For visitors' models: whether pictures for the visitor themselves show only the visible part of their own body.
   [[nodiscard]] virtual bool hasOwnBody() const { return false; }
 

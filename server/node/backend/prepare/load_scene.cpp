@@ -28,6 +28,7 @@ LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types, cons
     if (!own.contains(object.id)) continue;
     auto model = modelOf(scene.objects[i], types);
     object.bounds = object.transform.apply(model->bounds());
+    if (model->hasHills() && !scene.hills.empty()) object.bounds.high.y += world::kMaxGroundHeight;
     object.obstacleRadius = model->obstacleRadius().value_or(0.0F) * object.transform.scale;
     loaded.objects.push_back({object, std::move(model)});
   }

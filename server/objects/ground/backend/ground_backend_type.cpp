@@ -17,11 +17,8 @@ class GroundModel final : public world::Model {
  public:
   explicit GroundModel(const ClearingOptions& options) : options_(options) {}
 
-  /// Contains the ground wherever the object itself is placed.
-  [[nodiscard]] world::Bounds bounds() const override {
-    constexpr float kHigh = world::kMaxGroundHeight;
-    return {{-kReach, -kHigh - 0.1F, -kReach}, {kReach, kHigh, kReach}};
-  }
+  [[nodiscard]] world::Bounds bounds() const override { return {{-kReach, -0.1F, -kReach}, {kReach, 0.0F, kReach}}; }
+  [[nodiscard]] bool hasHills() const override { return true; }
   [[nodiscard]] const ClearingOptions& options() const noexcept { return options_; }
 
  private:

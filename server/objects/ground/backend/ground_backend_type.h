@@ -10,7 +10,8 @@ struct MapSizes {
   int meadow = 1024;
 };
 
-/// The ground, y = 0: a meadow to the horizon, with trodden earth around the fire at the origin and a path.
+/// The ground, y = 0 and the scene's hills: a meadow to the horizon, with trodden earth around the fire at the origin
+/// and a path.
 ///
 /// Scene file: `type = "ground"`, `hearth` (radius of the trodden earth, metres, 0 to 20), `path` (a point on the worn
 /// path, metres), `seed` (integer, 0 to 1,000,000).

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 
+#include "node/backend/prepare/load_scene.h"
 #include "world/scenes/scene_file.h"
 
 namespace grove::objects::ground {
@@ -21,6 +23,18 @@ TEST(GroundBackendType, IsBelowEyesAndNoObstacle) {
   EXPECT_GE(model->bounds().size().x, 1000.0F);
   EXPECT_EQ(model->solid(), nullptr);
   EXPECT_FALSE(model->obstacleRadius());
+}
+
+// Fault: pictures of the ground are cut off at the feet of its hills.
+TEST(GroundBackendType, BoundsContainHills) {
+  node::BackendTypes types;
+  types.add(std::make_unique<GroundBackendType>());
+  const auto top = [&](const std::string& scene) {
+    return node::loadScene(world::parseScene(scene, "test.toml"), types).layout.objects.at(0).bounds.high.y;
+  };
+  const std::string ground = "[[object]]\ntype = 'ground'\n";
+  EXPECT_LE(top(ground), 0.0F);
+  EXPECT_FLOAT_EQ(top(ground + "[[hill]]\nradius = 9\nheight = 0.5\n"), world::kMaxGroundHeight);
 }
 
 TEST(GroundBackendType, RefusesBadSettings) {
