@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/gtc/matrix_inverse.hpp>
 
 #include "world/camera.h"
 
@@ -69,8 +70,8 @@ float sunAt(Vec3 point, const Obstacles& obstacles, const SunDirections& directi
   return static_cast<float>(seen) / static_cast<float>(kSunRays);
 }
 
-/// Indirect light, weakened by the sky's occlusion and coloured by the open directions.
-Vec3 indirectAt(Vec3 origin, Vec3 normal, const world::Sky& sky, const Obstacles& obstacles,
+/// Indirect light above ground of this height, weakened by the sky's occlusion and coloured by the open directions.
+Vec3 indirectAt(Vec3 origin, Vec3 normal, float ground, const world::Sky& sky, const Obstacles& obstacles,
                 const SkyDirections& directions) {
   const glm::mat3 basis = world::basisAround(normal);
   float open = 0.0F;
@@ -80,7 +81,7 @@ Vec3 indirectAt(Vec3 origin, Vec3 normal, const world::Sky& sky, const Obstacles
     float reach = kReach;
     float share = 1.0F;
     if (direction.y < 0.0F) {
-      const float toGround = origin.y / -direction.y;
+      const float toGround = (origin.y - ground) / -direction.y;
       reach = std::min(reach, toGround);
       share = 0.35F + 0.65F * std::min(1.0F, toGround / kContact);
     }
@@ -104,16 +105,17 @@ void bakeLight(const Surface& surface, const world::Mat4& toWorld, const world::
                std::size_t begin, std::span<Vec4> light) {
   const SkyDirections around = skyDirections();
   const SunDirections sun = sunDirections(sky.sun);
-  const glm::mat3 turn(toWorld);
+  const glm::mat3 turn = glm::inverseTranspose(glm::mat3(toWorld));
   for (std::size_t i = 0; i < light.size(); ++i) {
     const Vertex& vertex = surface.vertices[begin + i];
     const Vec3 normal = glm::normalize(turn * vertex.normal);
     Vec3 origin = Vec3(toWorld * Vec4(vertex.position, 1.0F)) + normal * kAway;
     // Triangles that cross the ground use the light of their vertices below it.
-    origin.y = std::max(origin.y, 2.0F * kAway);
+    const float ground = world::groundHeight(obstacles.hills, {origin.x, origin.z});
+    origin.y = std::max(origin.y, ground + 2.0F * kAway);
     const bool towardsSun = glm::dot(normal, sky.sun) > -0.2F;
-    light[i] =
-        Vec4(towardsSun ? sunAt(origin, obstacles, sun) : 0.0F, indirectAt(origin, normal, sky, obstacles, around));
+    light[i] = Vec4(towardsSun ? sunAt(origin, obstacles, sun) : 0.0F,
+                    indirectAt(origin, normal, ground, sky, obstacles, around));
   }
 }
 

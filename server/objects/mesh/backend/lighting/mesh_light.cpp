@@ -20,7 +20,7 @@ namespace {
 using Light = std::vector<std::vector<world::Vec4>>;
 
 /// Increment if raster::bakeLight() returns other values for the same world.
-constexpr std::uint64_t kBakeVersion = 1;
+constexpr std::uint64_t kBakeVersion = 2;
 /// Milliseconds of work, so that all workers stay busy until the end, and progress is visible.
 constexpr std::size_t kVerticesPerTask = 1024;
 
@@ -39,6 +39,7 @@ std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const node::BackendSe
     }
   }
   checksum.add(light);
+  checksum.add(services.scene.layout.hills);
   for (const world::PlacedTriangles& each : geometry.shades()) {
     checksum.add(std::vector<world::Mat4>{each.toWorld});
     checksum.add(each.triangles->positions);
@@ -81,7 +82,7 @@ Light bake(const std::vector<PlacedMesh>& meshes, const node::BackendServices& s
   });
   node::prepareEach(services, "light of the meshes", tasks.size(), [&](std::size_t t) {
     const auto& [i, begin, end] = tasks[t];
-    const raster::Obstacles obstacles{services.geometry.rays(), own[i].get()};
+    const raster::Obstacles obstacles{services.geometry.rays(), own[i].get(), services.scene.layout.hills};
     raster::bakeLight(*meshes[i].surface, meshes[i].toWorld, services.scene.layout.sky, obstacles, begin,
                       std::span(light[i]).subspan(begin, end - begin));
   });

@@ -94,6 +94,10 @@ TEST_F(MeshLight, CacheKeyIncludesWorldAndMesh) {
   (void)light(painted, world);
   EXPECT_GT(reported_, 0);
   EXPECT_EQ(keptFiles().size(), 3U);
+  tests::BackendWorld hilly = worldOf(largeBall());
+  hilly.scene.layout.hills = {{{1.0F, -5.0F}, 6.0F, 0.5F}};
+  EXPECT_NE(light(largeBall(), hilly), first);
+  EXPECT_EQ(keptFiles().size(), 4U);
 }
 
 TEST_F(MeshLight, DamagedCacheIsReportedAndReplaced) {
