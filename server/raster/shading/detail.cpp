@@ -38,7 +38,7 @@ DetailView viewOf(const Drawing& drawing) {
   const world::Camera& camera = *drawing.camera;
   const world::Mat4 toObject = glm::inverse(drawing.bones[0]);
   const glm::mat3 turn(toObject);
-  const float metre = glm::length(Vec3(drawing.bones[0][0]));
+  const float metre = glm::length(Vec3(drawing.bones[0][1]));  // the axis that slopes do not shear
   const auto rayAt = [&](int column, int row) {
     return turn * camera.ray(static_cast<float>(drawing.rect.left + column) + 0.5F,
                              static_cast<float>(drawing.rect.top + row) + 0.5F);

@@ -14,7 +14,7 @@ BoneLight lightOf(const Drawing& drawing, const world::Mat4& bone) {
   const world::Mat4 toBone = glm::inverse(bone);
   const world::Sky& sky = *drawing.sky;
   BoneLight light;
-  light.metre = glm::length(Vec3(bone[0]));
+  light.metre = glm::length(Vec3(bone[1]));  // the axis that slopes do not shear
   light.eye = Vec3(toBone * world::Vec4(drawing.camera->pose.position, 1.0F));
   const glm::mat3 turn = glm::mat3(toBone) * light.metre;
   light.sun = turn * sky.sun;

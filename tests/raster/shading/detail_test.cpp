@@ -39,6 +39,18 @@ TEST_F(DetailTest, OnlyRockIsWeathered) {
 
 TEST_F(DetailTest, FadesBeforeAliasing) { EXPECT_LT(contrast(*wallAt(60.0F)), 0.5); }
 
+/// Fails if what leans with the ground has larger metres than the world, so that its detail flickers.
+TEST_F(DetailTest, FadesOnLeaningObjectsToo) {
+  world::Transform transform;
+  transform.yaw = glm::half_pi<float>();
+  const auto contrastOf = [&](world::Vec2 slope) {
+    transform.slope = slope;
+    drawing_.bones[0] = transform.matrix();
+    return contrast(*wallAt(2.0F));
+  };
+  EXPECT_NEAR(contrastOf({0.0F, 1.0F}), contrastOf({0.0F, 0.0F}), 0.1);
+}
+
 TEST_F(DetailTest, SunShowsRelief) {
   constexpr std::uint32_t kRelief = 0xF0;
   EXPECT_GT(contrast(*wallAt(0.5F, kRelief)), 1.5 * contrast(*wallAt(0.5F)));

@@ -113,6 +113,18 @@ TEST_F(VertexLightTest, LampsFallOffQuadratically) {
   }
 }
 
+/// Fails if what leans with the ground has larger metres than the world, so that it is hazy from nearer.
+TEST_F(VertexLightTest, LeaningObjectsAreNoLarger) {
+  world::Transform transform;
+  transform.slope = {0.9F, 0.0F};
+  drawing_.bones[0] = transform.matrix();
+  object_.light = {Vec4(0.0F, 1.0F, 1.0F, 1.0F)};
+  const Vec3 level(0, 0, 1);
+  camera_.pose.position = Vec3(drawing_.bones[0] * Vec4(vertex().position, 1.0F)) - level * 200.0F;
+  const float hazy = world::hazeAmount(200.0F);
+  expectShown(vertex().albedo * (1.0F - hazy) + world::Sky().hazeColour(level) * hazy, "hazy");
+}
+
 TEST_F(VertexLightTest, HazeMatchesTheWorld) {
   object_.light = {Vec4(0.0F, 1.0F, 1.0F, 1.0F)};
   for (const Vec3 direction : {Vec3(1, 0, 0), world::Sky().sun, glm::normalize(Vec3(-1, 0.1F, -1))}) {
