@@ -45,7 +45,10 @@ float sunAt(Vec3 point, Vec3 sun, float from, const world::RayScene& rays) {
 SunGrid makeSunGrid(const world::ModelledObject& object, Vec3 towardsSun, const world::RayScene& rays) {
   const world::Bounds box = object.model->bounds();
   const world::Mat4 toWorld = object.transform.matrix();
-  const Vec3 sun = glm::normalize(glm::inverse(glm::mat3(toWorld)) * towardsSun);
+  const Vec3 perMetre = glm::inverse(glm::mat3(toWorld)) * towardsSun;
+  const Vec3 sun = glm::normalize(perMetre);
+  // A leaning object is stretched along some directions.
+  const float stretch = 1.0F / glm::length(perMetre);
   SunGrid grid;
   grid.low = box.low;
   const Vec3 extent = box.size() * object.transform.scale;
@@ -62,7 +65,7 @@ SunGrid makeSunGrid(const world::ModelledObject& object, Vec3 towardsSun, const 
       for (int x = 0; x < grid.cells[0]; ++x) {
         const Vec3 sample(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
         const Vec3 point = box.low + sample / grid.perMetre;
-        const float from = exitOf(box, point, sun) * object.transform.scale;
+        const float from = exitOf(box, point, sun) * stretch;
         grid.sun.push_back(sunAt(Vec3(toWorld * world::Vec4(point, 1.0F)), towardsSun, from, rays));
       }
     }

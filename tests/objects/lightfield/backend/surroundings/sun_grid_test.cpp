@@ -78,5 +78,31 @@ TEST(SunGrid, TurnedAndScaledObject) {
   }
 }
 
+/// The object's own box, grown about its centre by a factor.
+world::Triangles shell(const world::ModelledObject& object, float factor) {
+  const world::Bounds box = object.model->bounds();
+  world::Triangles triangles;
+  for (const Vec3 corner : box.corners()) {
+    const Vec3 grown = box.centre() + factor * (corner - box.centre());
+    triangles.positions.emplace_back(object.transform.matrix() * world::Vec4(grown, 1.0F));
+  }
+  triangles.indices = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
+                       {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+  return triangles;
+}
+
+// Fault: rays to the sun end elsewhere than at a leaning object's own box, so that it shades itself or others do not.
+TEST(SunGrid, LeaningObject) {
+  const Vec3 sun = world::Sky().sun;
+  const world::Vec2 uphill = glm::normalize(world::Vec2(sun.x, sun.z));
+  for (const float steep : {-0.6F, -0.3F, 0.5F}) {
+    const world::ModelledObject object = objectOf({3, 4, 2}, {{1, 0.5F, -2}, 1.2F, 1.5F, steep * uphill});
+    EXPECT_TRUE(makeSunGrid(object, sun, world::RayScene(shell(object, 0.8F))).whole) << steep;
+    for (const float share : makeSunGrid(object, sun, world::RayScene(shell(object, 1.25F))).sun) {
+      ASSERT_EQ(share, 0.0F) << steep;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace grove::objects::lightfield
