@@ -112,6 +112,11 @@ Pose Walk::thereAndBack(double seconds) const {
   return at(length - std::abs(std::fmod(std::abs(seconds), 2.0 * length) - length));
 }
 
+Pose onGround(Pose pose, std::span<const Hill> hills) noexcept {
+  pose.position.y += groundHeight(hills, {pose.position.x, pose.position.z});
+  return pose;
+}
+
 Walk loadWalk(const std::filesystem::path& file) {
   return parseWalk(PlainFile(file, "a walk is a text file", kMaxFileBytes).readAll(), file.string());
 }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "world/camera.h"
+#include "world/ground/hills.h"
 
 namespace grove::world {
 
@@ -37,6 +39,9 @@ class Walk {
  private:
   std::vector<Step> steps_;
 };
+
+/// Raises a pose of a walk, whose height counts from the ground below.
+[[nodiscard]] Pose onGround(Pose pose, std::span<const Hill> hills) noexcept;
 
 /// Reads a walk: lines of `seconds x z yaw pitch`, or `seconds x y z yaw pitch`, metres and radians as in Pose; without
 /// y, the eye is at a visitor's height. Heights count from the ground. `#` begins a comment. Throws WalkError (bad

@@ -74,11 +74,10 @@ void WalkWorld::walk(const world::Walk& walk, double seconds, Pace pace, const L
 
 void WalkWorld::awaitRest() { std::this_thread::sleep_for(kUntilRest); }
 
-Moment WalkWorld::momentAt(world::Pose pose) {
+Moment WalkWorld::momentAt(const world::Pose& pose) {
   const world::Layout& layout = instance_.world().layout();
-  pose.position.y += world::groundHeight(layout.hills, {pose.position.x, pose.position.z});
   const double now = pipeline::wallSeconds();
-  return {pose, now, layout.lightsAt(now, {})};
+  return {world::onGround(pose, layout.hills), now, layout.lightsAt(now, {})};
 }
 
 }  // namespace grove::cli

@@ -59,8 +59,8 @@ class WalkWorld {
   /// Waits until simulations are at rest, as in a world without visitors.
   static void awaitRest();
 
-  /// Returns the current moment, seen from this pose.
-  [[nodiscard]] Moment momentAt(world::Pose pose);
+  /// Returns the current moment, seen from this pose of a walk.
+  [[nodiscard]] Moment momentAt(const world::Pose& pose);
 
   [[nodiscard]] stream::WorldInstance& instance() noexcept { return instance_; }
   [[nodiscard]] pipeline::WorkerPool& workers() noexcept { return workers_; }

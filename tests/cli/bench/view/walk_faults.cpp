@@ -59,7 +59,7 @@ class Groves {
     // In time of its own: on a slow machine the eye would rest at the begin, and trees become sharp.
     Moment moment = world_.momentAt(walk.at(kBegin));
     for (int i = -kWarmUpFrames; i < frames.count; ++i) {
-      moment.pose = walk.at(kBegin + std::max(0, i) * frames.step / kWalkFramesPerSecond);
+      moment.pose = world_.momentAt(walk.at(kBegin + std::max(0, i) * frames.step / kWalkFramesPerSecond)).pose;
       moment.time += (i < 0 ? 1 : frames.step) / kWalkFramesPerSecond;
       const node::FinishedFrame shownFrame = visitor.draw(moment);
       if (i < 0) continue;
