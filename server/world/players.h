@@ -110,7 +110,8 @@ inline constexpr float kRunSpeed = 5.0F;
 /// Share per second of the difference to the wanted velocity.
 inline constexpr float kAcceleration = 12.0F;
 
-/// Position of an arriving visitor's eye: side by side with others, alternately left and right of the first.
+/// Position of an arriving visitor's eye on level ground, as high as `spawn`: side by side with others, alternately
+/// left and right of the first.
 [[nodiscard]] Vec3 placeOfArrival(PlayerId id, Vec3 spawn, float spawnYaw);
 
 /// The velocity in metres per second for these keys and this viewing direction.

@@ -39,6 +39,16 @@ TEST(Transform, LeansWithTheGround) {
   }
 }
 
+/// Fails if a tile on a hillside is cut off where its bounds end.
+TEST(Transform, BoundsContainTheLeaningBox) {
+  Transform transform;
+  transform.position = {5, 1, 0};
+  transform.slope = {0.5F, 0.25F};
+  const Bounds leaning = transform.apply({{-1, 0, -2}, {1, 1, 2}});
+  EXPECT_NEAR(leaning.low.y, 1.0F - 0.5F - 0.5F, 1e-5F);
+  EXPECT_NEAR(leaning.high.y, 2.0F + 0.5F + 0.5F, 1e-5F);
+}
+
 TEST(Transform, EmptyStaysEmpty) { EXPECT_TRUE(Transform{}.apply(Bounds{}).empty()); }
 
 TEST(Triangles, AppendMovesPositionsAndIndices) {

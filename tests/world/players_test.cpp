@@ -73,6 +73,17 @@ TEST(Players, WalkOverHills) {
   EXPECT_FLOAT_EQ(players.find(id, 5.0)->pose.position.y, kEyeHeight);
 }
 
+// Fault: visitors arrive inside a hill and jump out of it at their first step.
+TEST(Players, ArriveOnHills) {
+  const std::vector<Hill> hills{{{2.0F, 9.0F}, 6.0F, 1.5F}};
+  Players players(Vec3(2.0F, groundHeight(hills, {2.0F, 9.0F}), 9.0F), 0.7F, 30.0F, {}, hills);
+  for (int i = 0; i < 5; ++i) {
+    const Vec3 eye = players.find(players.join("a", 0.0), 0.0)->pose.position;
+    EXPECT_NEAR(eye.y, kEyeHeight + groundHeight(hills, {eye.x, eye.z}), 1e-5F) << i;
+    EXPECT_GT(eye.y, kEyeHeight + 0.5F);
+  }
+}
+
 // Fault: visitors run into an invisible wall and stand still there.
 TEST(Players, AreTurnedAlongTheEndOfTheWorld) {
   Players players(Vec3(0, 0, 0), 0.0F, 12.0F, {});

@@ -39,5 +39,14 @@ TEST(GroundSun, LowThingsLetTheSunPass) {
   EXPECT_FLOAT_EQ(GroundSun(10.0F, kSunOfWall, {}, rays, memory).at(-3.0F, 0.3F), 1.0F);
 }
 
+// Fault: visitors on a hill cast no shadow, because at the hill's foot it is shady.
+TEST(GroundSun, HillsRiseAboveShadows) {
+  pipeline::MemoryLedger memory;
+  const world::RayScene rays(sunWall(0.0F, 1.5F));
+  const std::vector<world::Hill> hills{{{-3.0F, 2.0F}, 5.0F, 1.5F}};
+  EXPECT_FLOAT_EQ(GroundSun(10.0F, kSunOfWall, {}, rays, memory).at(-3.0F, 2.0F), 0.0F);
+  EXPECT_FLOAT_EQ(GroundSun(10.0F, kSunOfWall, hills, rays, memory).at(-3.0F, 2.0F), 1.0F);
+}
+
 }  // namespace
 }  // namespace grove::objects::figure

@@ -168,5 +168,30 @@ TEST_F(ClearingBake, LowFoliageCastsALightShadow) {
   EXPECT_LT(sunBehind(1.5F), 0.1F);
 }
 
+// Fault: light is baked for level ground, so that shadows climb hills that rise above them.
+TEST_F(ClearingBake, ShadowsEndWhereHillsRiseAboveThem) {
+  const world::Vec3 sun = world::Sky().sun;
+  const float descent = sun.y / glm::length(world::Vec2(sun.x, sun.z));
+  const world::Vec3 place = stone - sunward * ((3.0F - 0.7F) / descent);  // the shadow is 0.7 m high here
+  ClearingOptions hilly = options;
+  hilly.hills = {{{place.x, place.z}, 3.0F, 1.5F}};
+  const Clearing baked = bakeClearing(hilly, sun, {solids, rays, rays}, forEachRow);
+  EXPECT_LT(soilAt(clearing, place).sun, 0.1F);
+  EXPECT_GT(soilAt(baked, place).sun, 0.9F);
+  EXPECT_LT(soilAt(baked, stone - sunward * 2.0F).sun, 0.1F) << "before the hill";
+}
+
+// Fault: the ground below plants on a hill lies beneath their soil, and is black.
+TEST_F(ClearingBake, SoilOnAHillIsLit) {
+  const world::Vec3 place(-10.0F, 0.0F, -10.0F);
+  world::Triangles soil = roof(place + world::Vec3(0.0F, 1.2F, 0.0F), 0.12F);
+  for (world::Vec3& corner : soil.positions) corner += 4.0F * (corner - place) * world::Vec3(1, 0, 1);
+  const std::vector<world::PlacedTriangles> surfaces{{std::make_shared<world::Triangles>(soil)}};
+  const world::RayScene surface(surfaces);
+  const ClearingOptions hilly{.size = 512, .metres = 40.0F, .hills = {{{place.x, place.z}, 60.0F, 1.2F}}};
+  const Clearing baked = bakeClearing(hilly, world::Sky().sun, {surfaces, surface, surface}, forEachRow);
+  EXPECT_GT(soilAt(baked, place).sun, 0.9F);
+}
+
 }  // namespace
 }  // namespace grove::objects::ground
