@@ -106,7 +106,8 @@ TEST(Walk, TestWalksAreWalkable) {
     float way = 0.0F;
     float turned = 0.0F;
     Pose before = walk.at(0.0);
-    for (double t = 0.02; t <= 20.0; t += 0.02) {
+    for (int i = 1; i <= 1000; ++i) {
+      const double t = 0.02 * i;
       const Pose pose = walk.at(t);
       const float step = glm::length(pose.position - before.position);
       way += step;
