@@ -3,11 +3,17 @@
 #include <cmath>
 
 namespace grove::objects::fluid {
+namespace {
 
-SmokeShading::SmokeShading(const world::Sky& sky)
-    : sun_(sky.sun),
-      sunColour_(sky.sunColour),
-      sky_(0.75F * sky.ambient({0.0F, 1.0F, 0.0F}) + 0.25F * sky.ambient({0.0F, -1.0F, 0.0F})) {
+SmokeSky skyOver(const world::Sky& sky) {
+  const world::Vec3 level = glm::normalize(world::Vec3(sky.sun.x, 0.0F, sky.sun.z));
+  return {.above = 0.3F * sky.ambient({0.0F, 1.0F, 0.0F}) + 0.1F * sky.ambient({0.0F, -1.0F, 0.0F}),
+          .side = 0.3F * (sky.ambient(level) + sky.ambient(-level))};
+}
+
+}  // namespace
+
+SmokeShading::SmokeShading(const world::Sky& sky) : sun_(sky.sun), sunColour_(sky.sunColour), sky_(skyOver(sky)) {
   for (std::size_t i = 0; i <= kDisplaySteps; ++i) {
     const float root = static_cast<float>(i) / static_cast<float>(kDisplaySteps);
     display_[i] = world::toDisplay(kBrightestSmoke * root * root);

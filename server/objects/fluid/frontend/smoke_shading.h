@@ -24,7 +24,7 @@ class SmokeShading {
  private:
   const world::Vec3 sun_;
   const world::Vec3 sunColour_;
-  const world::Vec3 sky_;
+  const SmokeSky sky_;
   std::array<float, kDisplaySteps + 1> display_{};
 };
 

@@ -26,7 +26,7 @@ HWY_INLINE float phase(float cosine, float g) {
 }
 
 void scatterSunAndSky(const FluidSnapshot& snapshot, world::Vec3 eye, world::Vec3 sun, world::Vec3 sunColour,
-                      world::Vec3 sky, SmokeSprites& sprites) {
+                      const SmokeSky& sky, SmokeSprites& sprites) {
   const float* const px = snapshot.x.data();
   const float* const py = snapshot.y.data();
   const float* const pz = snapshot.z.data();
@@ -35,6 +35,7 @@ void scatterSunAndSky(const FluidSnapshot& snapshot, world::Vec3 eye, world::Vec
   float* const red = sprites.red.data();
   float* const green = sprites.green.data();
   float* const blue = sprites.blue.data();
+  const auto [above, side] = sky;
   const std::size_t count = sprites.count;
   GROVE_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < count; ++i) {
@@ -42,12 +43,12 @@ void scatterSunAndSky(const FluidSnapshot& snapshot, world::Vec3 eye, world::Vec
     const float dy = py[i] - eye.y;
     const float dz = pz[i] - eye.z;
     const float cosine = (dx * sun.x + dy * sun.y + dz * sun.z) / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-6F);
-    // Most light scatters forwards; multiple scattering in dense smoke makes the rest even.
-    const float bright = sunLight[i] * (0.26F + 0.15F * phase(cosine, 0.55F));
-    const float dim = 0.25F + 0.75F * skyLight[i];
-    red[i] = sunColour.r * bright + sky.r * dim;
-    green[i] = sunColour.g * bright + sky.g * dim;
-    blue[i] = sunColour.b * bright + sky.b * dim;
+    // The sun's own ray scatters forwards. Light that smoke has scattered before comes from everywhere, and in dense
+    // smoke there is no other.
+    const float bright = sunLight[i] * (0.26F + 0.3F * sunLight[i] * phase(cosine, 0.55F));
+    red[i] = sunColour.r * bright + side.r + above.r * skyLight[i];
+    green[i] = sunColour.g * bright + side.g + above.g * skyLight[i];
+    blue[i] = sunColour.b * bright + side.b + above.b * skyLight[i];
   }
 }
 
@@ -66,9 +67,12 @@ void addPointLight(const FluidSnapshot& snapshot, const world::PointLight& light
     const float dx = px[i] - from.x;
     const float dy = py[i] - from.y;
     const float dz = pz[i] - from.z;
-    // The flame is a body of half a metre, not a point, and smoke dims its light with distance.
     const float square = dx * dx + dy * dy + dz * dz;
-    const float reach = 0.14F / ((0.3F + square) * (1.0F + 0.15F * square));
+    // The flame is a body of half a metre, not a point. Smoke rises from it, so the way up is full of smoke; light
+    // that comes across, as a lantern's, comes through air.
+    const float up = dy > 0.0F ? dy : 0.0F;
+    const float thick = 1.0F + 0.5F * up * up;
+    const float reach = 0.14F / ((0.3F + square) * (1.0F + 0.15F * square) * thick * thick);
     red[i] += colour.r * reach;
     green[i] += colour.g * reach;
     blue[i] += colour.b * reach;
@@ -169,7 +173,7 @@ HWY_EXPORT(addPointLight);
 HWY_EXPORT(finishSprites);
 
 void scatterSunAndSky(const FluidSnapshot& snapshot, world::Vec3 eye, world::Vec3 sun, world::Vec3 sunColour,
-                      world::Vec3 sky, SmokeSprites& sprites) {
+                      const SmokeSky& sky, SmokeSprites& sprites) {
   HWY_DYNAMIC_DISPATCH(scatterSunAndSky)(snapshot, eye, sun, sunColour, sky, sprites);
 }
 

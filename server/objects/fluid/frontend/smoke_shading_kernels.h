@@ -13,10 +13,16 @@ namespace grove::objects::fluid {
 inline constexpr std::size_t kDisplaySteps = 1024;
 inline constexpr float kBrightestSmoke = 9.0F;
 
+/// Radiance of smoke that is white and lit by the sky alone. Smoke above it hides the part from above; that from the
+/// side comes from where the eye is, so it reaches all smoke that the eye sees.
+struct SmokeSky {
+  world::Vec3 above, side;
+};
+
 /// Sets each sprite's colour to the linear radiance of the sun (`sun` is the unit vector towards it) and the sky that
 /// the smoke scatters towards `eye`.
 void scatterSunAndSky(const FluidSnapshot& snapshot, world::Vec3 eye, world::Vec3 sun, world::Vec3 sunColour,
-                      world::Vec3 sky, SmokeSprites& sprites);
+                      const SmokeSky& sky, SmokeSprites& sprites);
 
 /// Adds the scattered light of a fire or a lantern.
 void addPointLight(const FluidSnapshot& snapshot, const world::PointLight& light, SmokeSprites& sprites);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "each_target.h"
+#include "objects/fluid/frontend/smoke_scene.h"
 #include "objects/fluid/frontend/sprites_by_hand.h"
 #include "world/sky.h"
 
@@ -15,13 +16,16 @@ namespace {
 
 /// What scatterSunAndSky() and addPointLight() say of one sprite.
 world::Vec3 scattered(const FluidSnapshot& snapshot, std::size_t i, world::Vec3 eye, world::Vec3 sun,
-                      world::Vec3 sunColour, world::Vec3 sky, const world::PointLight& light) {
+                      world::Vec3 sunColour, const SmokeSky& sky, const world::PointLight& light) {
   const world::Vec3 at(snapshot.x[i], snapshot.y[i], snapshot.z[i]);
   const float base = 1.0F + 0.55F * 0.55F - 2.0F * 0.55F * glm::dot(glm::normalize(at - eye), sun);
   const float phase = (1.0F - 0.55F * 0.55F) / std::pow(base, 1.5F);
   const float square = glm::dot(at - light.position, at - light.position);
-  return sunColour * snapshot.sunLight[i] * (0.26F + 0.15F * phase) + sky * (0.25F + 0.75F * snapshot.skyLight[i]) +
-         light.colour * (0.14F / ((0.3F + square) * (1.0F + 0.15F * square)));
+  const float up = std::max(0.0F, at.y - light.position.y);
+  const float thick = 1.0F + 0.5F * up * up;
+  return sunColour * snapshot.sunLight[i] * (0.26F + 0.3F * snapshot.sunLight[i] * phase) + sky.side +
+         sky.above * snapshot.skyLight[i] +
+         light.colour * (0.14F / ((0.3F + square) * (1.0F + 0.15F * square) * thick * thick));
 }
 
 /// Fails if a target lights, encodes or thins sprites otherwise. A colour may come from the neighbouring entry of the
@@ -39,7 +43,7 @@ TEST(SmokeShadingKernels, MatchesScalarOnEveryTarget) {
   const world::Vec3 eye = camera().pose.position;
   const world::Vec3 sun = world::Sky().sun;
   const world::Vec3 sunColour(1.9F, 1.1F, 0.5F);
-  const world::Vec3 sky(0.3F, 0.4F, 0.5F);
+  const SmokeSky sky{.above = {0.12F, 0.16F, 0.2F}, .side = {0.18F, 0.2F, 0.22F}};
   const world::PointLight light{{0.0F, 0.5F, 0.0F}, {3.0F, 1.5F, 0.5F}};
   for (const float kept : {1.0F, 0.3F}) {
     for (const int count : {1, 3, 16, 17, 333}) {
@@ -97,6 +101,47 @@ TEST(SmokeShadingKernels, MatchesScalarOnEveryTarget) {
       });
     }
   }
+}
+
+/// The light of one sprite without fires or lanterns, seen against the sun.
+world::Vec3 litBy(float skyLight, float sunLight) {
+  const world::Sky sky;
+  FluidSnapshot snapshot;
+  add(snapshot, {.at = {0.0F, 2.0F, 0.0F}});
+  snapshot.skyLight[0] = skyLight;
+  snapshot.sunLight[0] = sunLight;
+  SmokeSprites sprites;
+  sprites.resize(1);
+  const SmokeSky colours{.above = {0.12F, 0.12F, 0.15F}, .side = {0.18F, 0.17F, 0.18F}};
+  scatterSunAndSky(snapshot, world::Vec3(0.0F, 2.0F, 0.0F) - 3.0F * sky.sun, sky.sun, sky.sunColour, colours, sprites);
+  return {sprites.red[0], sprites.green[0], sprites.blue[0]};
+}
+
+// Fault: a column's middle, where little sun and no sky from above arrive, is brown or black instead of grey.
+TEST(SmokeShading, SkyLightsTheMiddleOfAColumn) {
+  const world::Vec3 middle = litBy(0.0F, 0.06F);
+  EXPECT_LT(middle.r / middle.b, 1.35F);
+  EXPECT_GT(middle.b, 0.5F * litBy(1.0F, 0.0F).b);
+}
+
+// Fault: light that has crossed much smoke still shines forwards, as the sun's own ray does.
+TEST(SmokeShading, OnlyTheSunsOwnRayShinesForwards) {
+  const float none = litBy(0.0F, 0.0F).r;
+  EXPECT_GT(litBy(0.0F, 1.0F).r - none, 2.0F * 10.0F * (litBy(0.0F, 0.1F).r - none));
+}
+
+// Fault: a fire lights the smoke high above it as if there were no smoke in between.
+TEST(SmokeShading, SmokeKeepsTheFireFromWhatIsHighAboveIt) {
+  const auto litAt = [](world::Vec3 place) {
+    FluidSnapshot snapshot;
+    add(snapshot, {.at = place});
+    SmokeSprites sprites;
+    sprites.resize(1);
+    addPointLight(snapshot, {{0.0F, 0.5F, 0.0F}, {3.0F, 1.5F, 0.5F}}, sprites);
+    return sprites.red[0];
+  };
+  EXPECT_LT(litAt({0.0F, 2.5F, 0.0F}), 0.2F * litAt({2.0F, 0.5F, 0.0F}));
+  EXPECT_GT(litAt({0.0F, 0.8F, 0.0F}), 0.8F * litAt({0.3F, 0.5F, 0.0F}));
 }
 
 }  // namespace
