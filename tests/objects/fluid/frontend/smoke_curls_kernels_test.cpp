@@ -85,7 +85,7 @@ double billowsPlainly(Spot at, double finest, int octaves) {
     const double u = sine(k * at.x) * sine(k * at.z + 0.25);
     const double v = sine(k * at.y) * sine(k * at.x + 0.25);
     const double w = sine(k * at.z) * sine(k * at.y + 0.25);
-    sum += share * weight * (std::sqrt((u + v + w) * (u + v + w) + 0.05) - 0.86);
+    sum += share * weight * (std::sqrt((u + v + w) * (u + v + w) + 0.2) - 0.96);
     const double bend = 0.1 / k;
     at = {at.z + bend * (u - v), at.x + bend * (v - w) + 0.37, at.y + bend * (w - u)};
   }
@@ -123,10 +123,10 @@ std::array<double, 4> carvedPlainly(const Target& target, int x, int y) {
   const double whole = limitedTo(0.13 / (finest * 1.25) - 0.6, 0.0, 1.0);
   const double lick = limitedTo(1.0 + flame * (2.4 * other - whole * (0.5 * age - 0.15)), 0.0, 1.3);
   const double crisp = limitedTo(1.25 - 0.2 * age, 0.3, 1.0);
-  const double odds = std::pow(std::max(0.0, 1.0 + 0.8 * crisp * hill), 4.0);
+  const double odds = std::pow(std::max(0.0, 1.0 + 0.45 * crisp * hill), 4.0);
   const double after = odds * cover / (odds * cover + 1.0 - cover) * std::min(lick, 1.0);
-  const double relief = 0.5 * (hill - billowsPlainly(sunny, finest, 2)) + 0.3 * hill;
-  const double gain = after / cover * limitedTo(1.0 + (1.0 - flame) * crisp * relief, 0.6, 1.3);
+  const double relief = 0.35 * (hill - billowsPlainly(sunny, finest, 2)) + 0.2 * hill;
+  const double gain = after / cover * limitedTo(1.0 + (1.0 - flame) * crisp * relief, 0.8, 1.15);
   const double rise = 1.44 * age * age;
   const double warm = after * grown * limitedTo(0.2 * (hill - other), 0.0, 1.0) / (rise * rise + 0.5);
   const SmokeBlock& block = target.block(x, y);
@@ -197,7 +197,7 @@ TEST(SmokeCurls, FadeWithDistance) {
     }
     return sum / (kSize * kSize);
   };
-  EXPECT_GT(roughness(2.0F), 0.08);
+  EXPECT_GT(roughness(2.0F), 0.05);
   EXPECT_LT(roughness(60.0F), 1e-5);
 }
 

@@ -62,7 +62,7 @@ HWY_INLINE Floats billows(Point at, const Octaves& octaves) {
     const Floats v = b.sine * a.cosine;
     const Floats w = c.sine * b.cosine;
     const Floats gyroid = u + v + w;
-    const Floats hill = sqrt(mulAdd(gyroid, gyroid, Floats(0.05F))) - Floats(0.86F);
+    const Floats hill = sqrt(mulAdd(gyroid, gyroid, Floats(0.2F))) - Floats(0.96F);
     sum = mulAdd(Floats(share) * octaves.weight[o], hill, sum);
     const Floats bend(0.1F / kCurlPeriods[o]);
     at = {mulAdd(bend, u - v, at.z), mulAdd(bend, v - w, at.x) + Floats(0.37F), mulAdd(bend, w - u, at.y)};
@@ -134,14 +134,14 @@ struct Carver {
 
     // The noise multiplies the odds cover / (1 - cover), so cover stays within 0 and 1. Old smoke has less contrast.
     const Floats crisp = clamp(mulAdd(Floats(-0.2F), age, Floats(1.25F)), Floats(0.3F), one);
-    const Floats root = max(zero, mulAdd(Floats(0.8F) * crisp, hill, one));
+    const Floats root = max(zero, mulAdd(Floats(0.45F) * crisp, hill, one));
     const Floats square = root * root;
     const Floats odds = square * square;
     const Floats cover = odds * smoke.cover / mulAdd(odds, smoke.cover, smoke.clear) * min(lick, one);
 
     // Hills are lighter than valleys, and those that fall towards the sun than those that rise.
-    const Floats relief = mulAdd(Floats(0.5F), hill - towardsSun(at, octaves), Floats(0.3F) * hill);
-    const Floats light = clamp(mulAdd((one - flame) * crisp, relief, one), Floats(0.6F), Floats(1.3F));
+    const Floats relief = mulAdd(Floats(0.35F), hill - towardsSun(at, octaves), Floats(0.2F) * hill);
+    const Floats light = clamp(mulAdd((one - flame) * crisp, relief, one), Floats(0.8F), Floats(1.15F));
     const Floats gain = cover * smoke.perCover * light;
     // The flames light those that fall towards them.
     const Floats rise = age * age * Floats(1.44F);
