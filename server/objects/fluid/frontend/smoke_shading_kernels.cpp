@@ -112,7 +112,7 @@ struct Finish {
     const Floats rest = one - life;
     // Hot gas is clear: smoke becomes visible only above the flames.
     const Floats clear = one - Floats(0.75F) * saturate((temperature - Floats(0.1F)) * Floats(3.0F));
-    const Floats thick = Floats(0.17F) * clear * saturate(life * Floats(12.0F)) * rest * sqrt(rest) *
+    const Floats thick = Floats(0.115F) * clear * saturate(life * Floats(12.0F)) * rest * sqrt(rest) *
                          (Floats(0.55F) + Floats(0.9F) * chanceB);
     // Sprites at the edge of the kept share fade in and out; the kept ones replace the dropped ones.
     const Floats chosen = kept >= 1.0F ? one : saturate((Floats(kept * 1.05F) - at(sprites.rank)) * Floats(20.0F));

@@ -63,7 +63,7 @@ HWY_INLINE float smooth(float low, float high, float value) {
 /// Radius in metres.
 HWY_INLINE float sizeOf(float spent, float hot, float chance) {
   const float grown = std::sqrt(saturate(spent));
-  const float smoke = (0.07F + 0.30F * grown) * (0.6F + 0.8F * chance);
+  const float smoke = (0.09F + 0.36F * grown) * (0.6F + 0.8F * chance);
   const float flame = (0.055F + 0.085F * saturate(4.0F * spent)) * (0.6F + 0.8F * chance);
   return smoke + (flame - smoke) * hot;
 }

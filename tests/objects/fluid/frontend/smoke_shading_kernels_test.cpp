@@ -68,7 +68,7 @@ TEST(SmokeShadingKernels, MatchesScalarOnEveryTarget) {
           const float albedo = (0.28F + 0.4F * std::sqrt(life)) * (0.85F + 0.3F * s.chanceC[i]);
           const float clear = 1.0F - 0.75F * saturate((temperature - 0.1F) * 3.0F);
           const float thick =
-              0.17F * clear * saturate(life * 12.0F) * std::pow(1.0F - life, 1.5F) * (0.55F + 0.9F * s.chanceB[i]);
+              0.115F * clear * saturate(life * 12.0F) * std::pow(1.0F - life, 1.5F) * (0.55F + 0.9F * s.chanceB[i]);
           const float chosen = kept >= 1.0F ? 1.0F : saturate((kept * 1.05F - s.rank[i]) * 20.0F);
           const float dense = std::min(0.85F, thick / kept / (1.0F + 0.5F * thick * (1.0F / kept - 1.0F)));
           const float smoke = (1.0F - s.heat[i]) * dense * chosen * s.fade[i] * s.shrink[i];

@@ -53,7 +53,7 @@ void expectProjected(const FluidSnapshot& snapshot, const world::Camera& eye, co
   const float t = saturate((snapshot.temperature[i] - 0.28F) / 0.3F);
   const float heat = t * t * (3.0F - 2.0F * t);
   const float spread = 0.6F + 0.8F * sprites.chanceA[i];
-  const float smoke = (0.07F + 0.30F * std::sqrt(saturate(spent))) * spread;
+  const float smoke = (0.09F + 0.36F * std::sqrt(saturate(spent))) * spread;
   const float flame = (0.055F + 0.085F * saturate(4.0F * spent)) * spread;
   const float size = ember ? 0.01F : smoke + (flame - smoke) * heat;
   const float near = 0.2F + (ember ? 1.0F : 1.2F * size);
