@@ -32,15 +32,25 @@ const std::array<Ridge, kRidges> kRidge = {{
     {0.003F, 0.008F, 9.0F, 0.050F, 640, 85.0F, {0.055F, 0.075F, 0.032F}},
 }};
 
-/// Tangents of elevation between which the meadow's mist thins out.
-constexpr float kMistFloor = -0.012F;
-constexpr float kMistTop = 0.022F;
-constexpr float kMist = 0.72F;
+/// Tangent of elevation at which the meadow's mist ends, on average.
+constexpr float kMistTop = 0.026F;
+/// At the horizon, where the ground is seen through as much air and mist.
+constexpr float kMist = 0.95F;
 
 /// Seamless noise around the circle.
 float around(float heading, float features, float seed) {
   const float radius = features * 0.5F * std::numbers::inv_pi_v<float> * 2.0F;
   return world::fractalNoise(Vec3(std::cos(heading) * radius, std::sin(heading) * radius, seed), 4);
+}
+
+/// Share of mist before the landscape. It lies in banks, whose tops are ragged.
+float mistAt(float heading, float tangent, float seed) {
+  const float bank = glm::smoothstep(0.3F, 0.7F, around(heading, 11.0F, seed + 71.0F));
+  const float wisps =
+      world::fractalNoise(Vec3(std::cos(heading) * 9.0F, std::sin(heading) * 9.0F, tangent * 90.0F + seed + 37.0F), 4);
+  const float top = kMistTop * (0.4F + 1.2F * bank);
+  const float height = tangent + 1.6F * top * (wisps - 0.5F) * glm::smoothstep(0.0F, 0.5F * top, tangent);
+  return kMist * (1.0F - glm::smoothstep(0.0F, top, height));
 }
 
 /// Outline of one tree: 0..1 at `x` in -1..1 across it. Firs are cones with ragged boughs, the others round crowns.
@@ -62,8 +72,10 @@ float treesAt(float heading, const Ridge& ridge, std::int32_t salt) {
     const std::int32_t tree = (i % ridge.trees + ridge.trees) % ridge.trees;
     const float middle = static_cast<float>(i) + world::hashUnit(tree, salt, 1);
     const bool fir = world::hashUnit(tree / 9, salt, 2) < 0.55F;
-    const float tall = (fir ? 0.55F : 0.42F) + (fir ? 0.55F : 0.38F) * world::hashUnit(tree, salt, 3);
-    const float half = (fir ? 0.85F : 1.5F) * (0.75F + 0.5F * world::hashUnit(tree, salt, 4));
+    // Most trees are young, and a few stand out.
+    const float age = world::hashUnit(tree, salt, 3);
+    const float tall = fir ? 0.35F + 0.75F * age * age : 0.38F + 0.42F * age;
+    const float half = (fir ? 0.5F + 0.5F * tall : 1.5F) * (0.75F + 0.5F * world::hashUnit(tree, salt, 4));
     top = std::max(top, tall * outline((place - middle) / half, fir, tree));
   }
   return top * ridge.treeTop;
@@ -90,6 +102,7 @@ Skyline skylineAt(float heading, float seed) {
 Vec3 landscapeOver(const world::Sky& sky, Vec3 behind, const Skyline& skyline, Vec3 direction, float heading,
                    float tangent, float texel, float seed) {
   const Vec3 haze = sky.hazeColour(direction);
+  const float meadowMist = mistAt(heading, tangent, seed);
   // Surfaces face the viewer, so they are lit if the sun is behind the viewer.
   const Vec3 sun = sky.sun;
   const float facing =
@@ -108,7 +121,7 @@ Vec3 landscapeOver(const world::Sky& sky, Vec3 behind, const Skyline& skyline, V
     // Mist fills the hollows and the meadow's far end, where the ground's renderer applies the same mist.
     const float hollow =
         0.12F * std::exp(-std::max(0.0F, tangent) / (0.004F + 0.22F * std::max(0.0F, skyline.tops[i])));
-    const float mist = std::max(hollow, kMist * glm::smoothstep(kMistTop, kMistFloor, tangent));
+    const float mist = std::max(hollow, meadowMist);
     const float air = 1.0F - (1.0F - world::hazeAmount(ridge.distance)) * (1.0F - mist);
     colour = glm::mix(colour, glm::mix(surface, haze, air), cover);
   }
