@@ -42,6 +42,7 @@ float mistTopAt(float heading) {
 /// Fails if the mist ends at the same height in all directions, as if drawn with a ruler.
 TEST(Landscape, MistLiesInBanks) {
   std::vector<float> tops;
+  tops.reserve(kHeadings);
   for (int i = 0; i < kHeadings; ++i) tops.push_back(mistTopAt(headingOf(i)));
   std::ranges::sort(tops);
   EXPECT_LT(tops[kHeadings / 10], 0.7F * tops[kHeadings * 9 / 10]);
