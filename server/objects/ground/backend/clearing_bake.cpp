@@ -222,7 +222,10 @@ class Baker {
   [[nodiscard]] float sunAlong(Vec3 point, Vec3 direction) const {
     const float aboveLow = kLowFoliage / std::max(direction.y, 0.02F);
     if (solids_.occluded(point, direction) || rays_.occluded(point, direction, aboveLow)) return 0.0F;
-    return rays_.occluded(point, direction, 0.0F, aboveLow) ? kLowTranslucence : 1.0F;
+    if (!rays_.occluded(point, direction, 0.0F, aboveLow)) return 1.0F;
+    // A trunk is as opaque near the ground as above.
+    const bool isTall = rays_.occluded(point + Vec3(0.0F, kLowFoliage, 0.0F), direction, 0.0F, aboveLow);
+    return isTall ? 0.0F : kLowTranslucence;
   }
 
   /// Distance in metres from the worn path, which winds a little and fades out at the clearing's edge.

@@ -141,6 +141,13 @@ Clearing bakedUnder(const world::Triangles& surface, bool solid) {
                       forEachRow);
 }
 
+/// Fails if sunlight passes through the foot of a trunk, which belongs to a light field as low leaves do.
+TEST_F(ClearingBake, TrunksAreOpaqueNearTheGround) {
+  const world::Vec3 place(-10.0F, 0.0F, -10.0F);
+  const Clearing baked = bakedUnder(pillar(place), false);
+  EXPECT_LT(soilAt(baked, place - sunward * 1.2F).sun, 0.1F);
+}
+
 TEST_F(ClearingBake, LowFoliageLeavesNoBlackGaps) {
   // Leaves close above the ground, around a place that nothing else shades.
   const world::Vec3 place(-10.0F, 0.0F, -10.0F);
