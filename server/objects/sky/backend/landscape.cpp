@@ -43,13 +43,11 @@ float around(float heading, float features, float seed) {
   return world::fractalNoise(Vec3(std::cos(heading) * radius, std::sin(heading) * radius, seed), 4);
 }
 
-/// Share of mist before the landscape. It lies in banks, whose tops are ragged.
-float mistAt(float heading, float tangent, float seed) {
-  const float bank = glm::smoothstep(0.3F, 0.7F, around(heading, 11.0F, seed + 71.0F));
-  const float wisps =
-      world::fractalNoise(Vec3(std::cos(heading) * 9.0F, std::sin(heading) * 9.0F, tangent * 90.0F + seed + 37.0F), 4);
-  const float top = kMistTop * (0.4F + 1.2F * bank);
-  const float height = tangent + 1.6F * top * (wisps - 0.5F) * glm::smoothstep(0.0F, 0.5F * top, tangent);
+/// Share of mist before the landscape, whose top is ragged.
+float mistAt(float heading, float tangent, float top, float seed) {
+  const Vec3 place(std::cos(heading) * 9.0F, std::sin(heading) * 9.0F, tangent * 90.0F + seed + 37.0F);
+  const float wisps = 1.6F * top * (world::fractalNoise(place, 4) - 0.5F);
+  const float height = tangent + wisps * glm::smoothstep(0.0F, 0.5F * top, tangent);
   return kMist * (1.0F - glm::smoothstep(0.0F, top, height));
 }
 
@@ -85,6 +83,8 @@ float treesAt(float heading, const Ridge& ridge, std::int32_t salt) {
 
 Skyline skylineAt(float heading, float seed) {
   Skyline skyline;
+  const float bank = glm::smoothstep(0.3F, 0.7F, around(heading, 11.0F, seed + 71.0F));
+  skyline.mistTop = kMistTop * (0.4F + 1.2F * bank);
   for (std::size_t i = 0; i < kRidges; ++i) {
     const Ridge& ridge = kRidge[i];
     const float salt = seed + 13.0F * static_cast<float>(i);
@@ -102,7 +102,7 @@ Skyline skylineAt(float heading, float seed) {
 Vec3 landscapeOver(const world::Sky& sky, Vec3 behind, const Skyline& skyline, Vec3 direction, float heading,
                    float tangent, float texel, float seed) {
   const Vec3 haze = sky.hazeColour(direction);
-  const float meadowMist = mistAt(heading, tangent, seed);
+  const float meadowMist = mistAt(heading, tangent, skyline.mistTop, seed);
   // Surfaces face the viewer, so they are lit if the sun is behind the viewer.
   const Vec3 sun = sky.sun;
   const float facing =

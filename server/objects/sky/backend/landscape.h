@@ -9,9 +9,10 @@ namespace grove::objects::sky {
 /// Hills and lines of trees around the clearing, too distant for visible parallax.
 inline constexpr int kRidges = 6;
 
-/// The height of each ridge at one heading, farthest first: tangents of elevation.
+/// Heights at one heading: tangents of elevation.
 struct Skyline {
-  std::array<float, kRidges> tops{};
+  std::array<float, kRidges> tops{};  ///< of each ridge, farthest first
+  float mistTop = 0.0F;               ///< of the meadow's mist, which is ragged there
 };
 
 [[nodiscard]] Skyline skylineAt(float heading, float seed);

@@ -20,7 +20,7 @@ float headingOf(int i) { return 2.0F * std::numbers::pi_v<float> * static_cast<f
 /// Returns how much of a forest that covers everything is seen: 0 where mist and air hide all of it.
 float seenAt(float heading, float tangent) {
   const world::Sky sky;
-  Skyline forest;
+  Skyline forest = skylineAt(heading, kSeed);
   forest.tops.fill(1.0F);
   const world::Vec3 direction = Panorama::direction(heading, tangent);
   const world::Vec3 haze = sky.hazeColour(direction);
