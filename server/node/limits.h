@@ -16,6 +16,9 @@ inline constexpr std::size_t kBackendBatch = 64;
 
 inline constexpr int kMaxFramesInFlight = 8;
 
+/// Seconds for which a backdrop serves at most. Frames that extend it make requests for its view.
+inline constexpr double kMaxBackdropAge = 3.0;
+
 /// Only the nearest names are shown, at most this many.
 inline constexpr std::size_t kMaxLabelsPerFrame = 24;
 

@@ -5,6 +5,9 @@
 namespace grove::node {
 namespace {
 
+/// Seconds that requests may be on their way, or wait for their frame's turn.
+constexpr double kInFlight = 1.0;
+
 /// Includes the session's entry.
 constexpr std::size_t kOverhead = 256;
 
@@ -30,7 +33,10 @@ void SentViews::add(std::shared_ptr<const View> view) {
   if (*bytes_ + bytes > kMaxBytes) return;
   if (sessions_.find(session) == nullptr) sessions_.put(session, {});
   auto& views = *sessions_.find(session);
-  if (views.size() == kKept) views.erase(views.begin());
+  const auto isOld = [&](const std::shared_ptr<const View>& each) {
+    return each->time < view->time - kMaxBackdropAge - kInFlight;
+  };
+  while (!views.empty() && (views.size() == kMostKept || isOld(views.front()))) views.erase(views.begin());
   views.push_back(counted(std::move(view), bytes, bytes_));
 }
 

@@ -6,16 +6,18 @@
 #include <vector>
 
 #include "base/lru_table.h"
+#include "node/limits.h"
 #include "node/messages/wire/wire.h"
 
 namespace grove::node {
 
-/// The views that requests of one link may name: the newest of each session. They take at most kMaxBytes in total,
+/// The views that requests of one link may name: those of each session's newest seconds, in which a backdrop may be
+/// extended. They take at most kMaxBytes in total,
 /// including those that requests still hold. If that is not enough, drops the views of the least recently used session
 /// first. One thread at a time.
 class SentViews {
  public:
-  static constexpr std::size_t kKept = 32;
+  static constexpr std::size_t kMostKept = 256;  ///< of a session; more than a visitor's frames in that time
   static constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
 
   /// A view without room, because requests in progress hold the others, stays unknown.

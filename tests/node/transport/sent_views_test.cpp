@@ -10,20 +10,44 @@
 namespace grove::node {
 namespace {
 
-TEST(SentViews, KeepTheNewestOfEachSession) {
-  SentViews views;
-  for (FrameNumber frame = 1; frame <= 40; ++frame) {
+/// Adds views of one session, numbered from 1 on.
+void addViews(SentViews& views, FrameNumber count, double secondsPerFrame) {
+  for (FrameNumber frame = 1; frame <= count; ++frame) {
     View view = examples::view();
     view.frame = frame;
+    view.time = static_cast<double>(frame) * secondsPerFrame;
     views.add(std::make_shared<View>(view));
   }
+}
+
+TEST(SentViews, KeepTheNewestOfEachSession) {
+  SentViews views;
+  addViews(views, 600, 1.0 / 30.0);
   const ViewLookup find = views.lookup();
-  EXPECT_FALSE(find(examples::kSession, 8));
-  ASSERT_TRUE(find(examples::kSession, 9));
-  EXPECT_EQ(find(examples::kSession, 40)->frame, 40u);
-  EXPECT_FALSE(find(examples::kSession + 1, 40));
+  EXPECT_FALSE(find(examples::kSession, 400));
+  EXPECT_EQ(find(examples::kSession, 600)->frame, 600u);
+  EXPECT_FALSE(find(examples::kSession + 1, 600));
   views.forget(examples::kSession);
-  EXPECT_FALSE(find(examples::kSession, 40));
+  EXPECT_FALSE(find(examples::kSession, 600));
+}
+
+/// Fails if a visitor who looks around for three seconds waits for pictures whose requests are refused, because they
+/// name the view of a backdrop that is being extended.
+TEST(SentViews, KnowTheViewOfABackdropAsLongAsItServes) {
+  for (const double framesPerSecond : {5.0, 30.0, 60.0}) {
+    SentViews views;
+    addViews(views, 1000, 1.0 / framesPerSecond);
+    EXPECT_TRUE(views.lookup()(examples::kSession, 1000 - static_cast<FrameNumber>(kMaxBackdropAge * framesPerSecond)))
+        << framesPerSecond;
+  }
+}
+
+/// Fails if a link whose views have no time keeps all of them.
+TEST(SentViews, KeepABoundedNumber) {
+  SentViews views;
+  addViews(views, SentViews::kMostKept + 1, 0.0);
+  EXPECT_FALSE(views.lookup()(examples::kSession, 1));
+  EXPECT_TRUE(views.lookup()(examples::kSession, 2));
 }
 
 /// One whose lights make it a tenth of all that views may take.

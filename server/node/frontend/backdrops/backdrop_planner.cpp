@@ -43,7 +43,6 @@ constexpr float kMinError = 1.0e-3F;
 constexpr float kMaxExtendedError = 0.7F;
 /// Seconds. A visitor who stands still sees finer data with this delay.
 constexpr double kMaxAge = 0.5;
-constexpr double kMaxFinalAge = 3.0;
 /// Frames that draw everything after a backdrop that no other frame could show, unless the machine is busy.
 constexpr int kPauseFrames = 2;
 
@@ -201,7 +200,7 @@ bool BackdropPlanner::serves(const View& view) const {
   const double age = view.time - eye.time;
   const auto backdrop = backdrops_->newest();
   const bool isDrawn = backdrop && backdrop->origin().frame == last_->view->frame;
-  const double maxAge = isDrawn && backdrop->origin().isFinal ? kMaxFinalAge : kMaxAge;
+  const double maxAge = isDrawn && backdrop->origin().isFinal ? kMaxBackdropAge : kMaxAge;
   if (!(age >= 0.0 && age <= maxAge) || !isSameSize(eye.camera, view.camera)) return false;
   // A backdrop in progress has no known error: it serves the next frame only.
   if (!isDrawn) return view.frame == last_->view->frame + 1;
