@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
+#include <list>
 #include <map>
 #include <utility>
 
@@ -9,6 +11,9 @@ namespace grove::raster {
 namespace {
 
 constexpr std::size_t kPixelBytes = sizeof(std::uint32_t) + sizeof(float);
+
+/// An image may lie in memory that is so many times larger than it needs.
+constexpr std::size_t kMaxLarger = 2;
 
 // Sizes are rounded up so that a moving object's slightly different rectangles reuse memory.
 std::size_t roundedPixels(std::size_t pixels) {
@@ -42,59 +47,71 @@ std::size_t touchedPixels(const Image& image) {
 struct ImagePool::Store {
   struct Memory {
     std::unique_ptr<std::uint32_t[]> words;  // colour, then depth
-    std::size_t touched = 0;                 // most pixels that any image has touched: only their pages are resident
+    std::size_t pixels = 0;
+    std::size_t touched = 0;  // most pixels that any image has touched: only their pages are resident
   };
+  using Unused = std::list<Memory>;
 
   explicit Store(std::size_t max) : maxBytes(max) {}
 
   const std::size_t maxBytes;
   std::mutex mutex;
-  std::multimap<std::size_t, Memory> unused;  // by pixels
+  Unused unused;                                        // the newest first
+  std::multimap<std::size_t, Unused::iterator> bySize;  // in pixels, of one size the newest last
   std::size_t unusedBytes = 0;
   std::size_t allBytes = 0;                    // touched by released images
   std::unique_ptr<pipeline::HeldMemory> held;  // null without a ledger
 
+  /// At least this many pixels.
   Memory take(std::size_t pixels) {
     Memory memory = takeUnused(pixels);
-    if (!memory.words) memory.words.reset(new std::uint32_t[pixels * 2]);
+    if (!memory.words) memory = {std::unique_ptr<std::uint32_t[]>(new std::uint32_t[pixels * 2]), pixels};
     return memory;
   }
 
   Memory takeUnused(std::size_t pixels) {
     const std::lock_guard lock(mutex);
-    const auto [oldest, end] = unused.equal_range(pixels);
-    if (oldest == end) return {};
-    const auto it = std::prev(end);  // caches may contain part of it
-    Memory memory = std::move(it->second);
-    unused.erase(it);
-    unusedBytes -= pixels * kPixelBytes;
+    const auto smallest = bySize.lower_bound(pixels);
+    if (smallest == bySize.end() || smallest->first > kMaxLarger * pixels) return {};
+    const auto it = std::prev(bySize.upper_bound(smallest->first));  // caches may contain part of it
+    Memory memory = std::move(*it->second);
+    unused.erase(it->second);
+    bySize.erase(it);
+    unusedBytes -= memory.pixels * kPixelBytes;
     return memory;
   }
 
   /// `touched`: pixels that the image has touched, known only at its end.
-  void give(std::size_t pixels, Memory memory, std::size_t touched) {
+  void give(Memory memory, std::size_t touched) {
+    Unused freed;  // after the lock
     const std::lock_guard lock(mutex);
     if (touched > memory.touched) {
       allBytes += (touched - memory.touched) * kPixelBytes;
       memory.touched = touched;
       report();
     }
-    if (unusedBytes + pixels * kPixelBytes > maxBytes) {
-      allBytes -= memory.touched * kPixelBytes;
-      report();
-      return;
-    }
-    unused.emplace(pixels, std::move(memory));
+    const std::size_t pixels = memory.pixels;
     unusedBytes += pixels * kPixelBytes;
+    unused.push_front(std::move(memory));
+    bySize.emplace(pixels, unused.begin());
+    // Sizes that nobody wants any more must not keep out those that every frame wants.
+    while (unusedBytes > maxBytes) freed.splice(freed.begin(), unused, forgetOldest());
   }
 
   void freeUnused() {
-    std::multimap<std::size_t, Memory> freed;  // freed after the lock
+    Unused freed;  // after the lock
     const std::lock_guard lock(mutex);
-    freed.swap(unused);
-    unusedBytes = 0;
-    for (const auto& [pixels, memory] : freed) allBytes -= memory.touched * kPixelBytes;
+    while (!unused.empty()) freed.splice(freed.begin(), unused, forgetOldest());
+  }
+
+  /// The oldest unused memory, which is still in the list.
+  Unused::iterator forgetOldest() {
+    const auto oldest = std::prev(unused.end());
+    bySize.erase(std::ranges::find(bySize, oldest, [](const auto& each) { return each.second; }));
+    unusedBytes -= oldest->pixels * kPixelBytes;
+    allBytes -= oldest->touched * kPixelBytes;
     report();
+    return oldest;
   }
 
   /// The total changes only on allocation and release, so frames that reuse memory report nothing.
@@ -116,8 +133,7 @@ ImagePool::~ImagePool() {
 
 /// Memory in use.
 struct ImagePool::Held {
-  std::size_t pixels = 0;
-  std::size_t used = 0;  ///< of the pixels
+  std::size_t used = 0;  ///< of the memory's pixels
   Store::Memory memory;
   std::shared_ptr<Store> store;
   Image image;  ///< of acquire()
@@ -125,15 +141,14 @@ struct ImagePool::Held {
   Held() = default;
   Held(const Held&) = delete;
   Held& operator=(const Held&) = delete;
-  ~Held() { store->give(pixels, std::move(memory), image.spans.empty() ? used : touchedPixels(image)); }
+  ~Held() { store->give(std::move(memory), image.spans.empty() ? used : touchedPixels(image)); }
 };
 
 std::shared_ptr<ImagePool::Held> ImagePool::hold(std::size_t pixels) {
   auto held = std::make_shared<Held>();
-  held->pixels = roundedPixels(pixels);
   held->store = store_;
   held->used = pixels;
-  held->memory = store_->take(held->pixels);
+  held->memory = store_->take(roundedPixels(pixels));
   return held;
 }
 
@@ -143,7 +158,7 @@ std::shared_ptr<Image> ImagePool::acquire(const world::Rect& rect) {
   std::uint32_t* const words = held->memory.words.get();
   held->image.rect = rect;
   held->image.colour = std::span(words, used);
-  held->image.depth = std::span(reinterpret_cast<float*>(words + held->pixels), used);
+  held->image.depth = std::span(reinterpret_cast<float*>(words + held->memory.pixels), used);
   return {held, &held->image};
 }
 

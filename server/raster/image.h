@@ -75,7 +75,8 @@ struct Image {
 };
 
 /// Lends images and reuses their memory after the last reference is dropped, so that frames neither allocate nor clear.
-/// Keeps at most `maxBytes` of unused memory. Any thread; images may outlive the pool, and then also the ledger.
+/// Keeps at most `maxBytes` of unused memory; frees the oldest first. Any thread; images may outlive the pool, and then
+/// also the ledger.
 class ImagePool {
  public:
   static constexpr std::size_t kUsualBytes = std::size_t{256} << 20U;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace grove::raster {
 namespace {
 
@@ -26,6 +28,33 @@ TEST(ImagePool, IsBounded) {
   ImagePool pool(1 << 20);
   { const auto a = pool.acquire({0, 0, 1280, 720}); }
   EXPECT_EQ(pool.unusedBytes(), 0u);
+}
+
+/// Fails if sizes that nobody wants any more fill the pool, so that each frame's images are allocated anew.
+TEST(ImagePool, FreesTheOldestFirst) {
+  ImagePool pool(std::size_t{4} << 20U);
+  for (int width = 100; width < 500; width += 20) {
+    (void)pool.acquire({0, 0, width, 300});
+    const std::uint32_t* before = pool.acquire({0, 0, 640, 360})->colour.data();
+    EXPECT_EQ(pool.acquire({0, 0, 640, 360})->colour.data(), before) << width;
+    EXPECT_LE(pool.unusedBytes(), 4U << 20U);
+  }
+}
+
+/// Fails if images that grow and shrink need memory of their own for each size, or if small ones take that of large
+/// ones.
+TEST(ImagePool, UsesSomewhatLargerMemory) {
+  ImagePool pool;
+  const std::uint32_t* before = pool.acquire({0, 0, 1280, 720})->colour.data();
+  {
+    const auto image = pool.acquire({0, 0, 960, 540});
+    EXPECT_EQ(image->colour.data(), before);
+    EXPECT_EQ(image->depth.size(), 960U * 540U);
+    std::ranges::fill(image->colour, 7U);
+    std::ranges::fill(image->depth, 1.0F);
+    EXPECT_EQ(image->colour.back(), 7U) << "they overlap";
+  }
+  EXPECT_NE(pool.acquire({0, 0, 64, 64})->colour.data(), before);
 }
 
 TEST(ImagePool, ImagesMayOutliveIt) {
