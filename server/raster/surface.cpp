@@ -127,6 +127,32 @@ void Surface::append(const Surface& other, const world::Mat4& matrix) {
   }
 }
 
+std::vector<std::uint32_t> Surface::putCoarseFirst() {
+  constexpr std::uint32_t kUnplaced = ~std::uint32_t{0};
+  std::vector<std::uint32_t> places(vertices.size(), kUnplaced);
+  std::vector<std::uint32_t> order;
+  order.reserve(vertices.size());
+  const auto place = [&](std::uint32_t vertex) {
+    if (places[vertex] == kUnplaced) {
+      places[vertex] = static_cast<std::uint32_t>(order.size());
+      order.push_back(vertex);
+    }
+    return places[vertex];
+  };
+  for (Level& level : levels) {
+    for (Triangle& triangle : level.triangles) {
+      for (std::uint32_t& corner : triangle) corner = place(corner);
+    }
+    level.vertexCount = order.size();
+  }
+  for (std::uint32_t vertex = 0; vertex < vertices.size(); ++vertex) place(vertex);
+  std::vector<Vertex> sorted;
+  sorted.reserve(vertices.size());
+  for (const std::uint32_t vertex : order) sorted.push_back(vertices[vertex]);
+  vertices = std::move(sorted);
+  return order;
+}
+
 void Surface::computeNormals() {
   for (Vertex& vertex : vertices) vertex.normal = Vec3(0.0F);
   for (const auto& [a, b, c] : levels.back().triangles) {

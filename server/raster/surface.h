@@ -40,6 +40,10 @@ struct Surface {
   /// Adds a transformed copy of `other`. Both have the same number of levels, or one of them is empty.
   void append(const Surface& other, const world::Mat4& matrix);
 
+  /// Reorders the vertices so that a coarse level uses the first ones only, as the levels of a part that was appended
+  /// do not. Returns for each vertex the index that it had.
+  std::vector<std::uint32_t> putCoarseFirst();
+
   /// Computes all normals from the finest triangles, weighted by area.
   void computeNormals();
 

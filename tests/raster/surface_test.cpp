@@ -25,8 +25,7 @@ float sagitta(const Surface& surface, const Level& level) {
   int count = 0;
   for (const auto& [a, b, c] : level.triangles) {
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-      const float below =
-          1.0F - glm::length(0.5F * (surface.vertices[from].position + surface.vertices[to].position));
+      const float below = 1.0F - glm::length(0.5F * (surface.vertices[from].position + surface.vertices[to].position));
       sum += below * below;
       ++count;
     }
@@ -64,6 +63,29 @@ TEST(Surface, TheCoarsestPartDecides) {
   surface.append(roundSurface(), glm::scale(world::Mat4(1.0F), Vec3(0.5F)));
   EXPECT_FLOAT_EQ(surface.levels.front().error, 2.0F * roundSurface().levels.front().error);
   EXPECT_EQ(surface.levels.back().error, 0.0F);
+}
+
+/// Fails if a coarse level of a surface of several parts needs the vertices of fine ones, or if a vertex is mixed up.
+TEST(Surface, CoarseLevelsUseTheFirstVertices) {
+  Surface surface;
+  surface.append(roundSurface(), world::Mat4(1.0F));
+  surface.append(roundSurface(), glm::translate(world::Mat4(1.0F), Vec3(3.0F, 0.0F, 0.0F)));
+  const Surface before = surface;
+  const std::vector<std::uint32_t> order = surface.putCoarseFirst();
+  ASSERT_EQ(order.size(), before.vertices.size());
+  for (std::size_t level = 0; level < surface.levels.size(); ++level) {
+    const Level& sorted = surface.levels[level];
+    EXPECT_EQ(sorted.vertexCount, 2 * roundSurface().levels[level].vertexCount) << level;
+    ASSERT_EQ(sorted.triangles.size(), before.levels[level].triangles.size());
+    for (std::size_t i = 0; i < sorted.triangles.size(); ++i) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::uint32_t vertex = sorted.triangles[i][corner];
+        ASSERT_LT(vertex, sorted.vertexCount);
+        ASSERT_EQ(order[vertex], before.levels[level].triangles[i][corner]);
+        ASSERT_EQ(surface.vertices[vertex].position, before.vertices[order[vertex]].position);
+      }
+    }
+  }
 }
 
 }  // namespace

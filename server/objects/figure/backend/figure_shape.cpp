@@ -1,5 +1,9 @@
 #include "objects/figure/backend/figure_shape.h"
 
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 #include "objects/figure/backend/garments.h"
 #include "objects/figure/backend/limbs.h"
 
@@ -31,6 +35,14 @@ void add(raster::LitSurface& to, raster::Surface part, Bone bone, const Openness
   to.surface.append(part, world::Mat4(1.0F));
 }
 
+/// What is the same for all parts, when they are complete.
+void finish(raster::LitSurface& figure) {
+  const std::vector<world::Vec4> light = std::move(figure.light);
+  figure.light.clear();
+  figure.light.reserve(light.size());
+  for (const std::uint32_t vertex : figure.surface.putCoarseFirst()) figure.light.push_back(light[vertex]);
+}
+
 void addLegs(raster::LitSurface& to, float length) {
   add(to, makeLeg(-1.0F, length), kLeftLeg, kUnderTheCloak);
   add(to, makeLeg(1.0F, length), kRightLeg, kUnderTheCloak);
@@ -50,12 +62,14 @@ raster::LitSurface makeFigure(float breadth) {
   addLegs(figure, kLegs);
   add(figure, makeRightArm(), kArm);
   add(figure, makeLantern(), kArm);
+  finish(figure);
   return figure;
 }
 
 raster::LitSurface makeOwnFigure() {
   raster::LitSurface figure{{}, {}, false};
   addLegs(figure, kOwnLegs);
+  finish(figure);
   return figure;
 }
 
