@@ -31,7 +31,8 @@ struct BackendWorld {
 
 /// The machine that a backend half works on.
 struct BackendStand {
-  explicit BackendStand(int threads = 1) : workers(threads) {}
+  explicit BackendStand(int threads = 1, pipeline::WorkerPool::Load load = pipeline::WorkerPool::kIgnored)
+      : workers(threads, "test-worker", {}, load) {}
 
   gl::ShaderLibrary shaders;
   gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};

@@ -28,7 +28,11 @@ class FigureTest : public testing::Test {
  protected:
   std::vector<node::Payload> ask(const std::shared_ptr<node::FrameList>& list,
                                  raster::RendererKind kind = raster::RendererKind::kAuto) {
-    FigureBackend half(stand_.services(world_), kind);
+    return askOn(stand_, list, kind);
+  }
+  std::vector<node::Payload> askOn(tests::BackendStand& stand, const std::shared_ptr<node::FrameList>& list,
+                                   raster::RendererKind kind = raster::RendererKind::kAuto) {
+    FigureBackend half(stand.services(world_), kind);
     std::vector<node::Request> requests;
     for (std::uint32_t i = 0; i < list->objects.size(); ++i) requests.push_back(tests::pictureRequest(*list, i));
     std::vector<node::Payload> payloads(requests.size());
@@ -86,6 +90,26 @@ TEST_F(FigureTest, StandsAtItsPosition) {
   }
   EXPECT_GT(nearest, 3.4F);
   EXPECT_LT(nearest, 4.0F);
+}
+
+/// Would catch a machine at its limit that draws figures as finely as one that has time, and figures that fall apart.
+TEST_F(FigureTest, ABusyMachineDrawsCoarserFigures) {
+  world_.scene.layout.sky.sun = {0, -1, 0};  // no shadow
+  const auto list = look({visitor(1, {0, 0, -3})}, {playerAt(1, {0, 0, -3})});
+  tests::BackendStand busy(1, 1.0);
+  const Picture fine(ask(list)[0]);
+  const Picture coarse(askOn(busy, list)[0]);
+  ASSERT_EQ(fine.colour.size(), coarse.colour.size());
+  EXPECT_NE(fine.colour, coarse.colour);
+  const auto isSolid = [](std::uint32_t colour) { return colour >> 31U != 0; };
+  int solid = 0;
+  int different = 0;
+  for (std::size_t i = 0; i < fine.colour.size(); ++i) {
+    solid += isSolid(fine.colour[i]) ? 1 : 0;
+    different += isSolid(fine.colour[i]) == isSolid(coarse.colour[i]) ? 0 : 1;
+  }
+  EXPECT_GT(solid, 500);
+  EXPECT_LT(different, solid / 20);
 }
 
 /// Would catch a figure without its shadow, or with that of another place.

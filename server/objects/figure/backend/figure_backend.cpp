@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gl/renderer_choice.h"
+#include "node/load_shedding.h"
 #include "objects/figure/backend/gait.h"
 #include "objects/figure/backend/shadow/shadow_layer.h"
 #include "objects/figure/common/stature.h"
@@ -43,6 +44,7 @@ std::size_t bytesOf(const std::vector<raster::LitSurface>& figures) {
 FigureBackend::FigureBackend(const node::BackendServices& services, raster::RendererKind kind)
     : layout_(services.scene.layout),
       geometry_(services.geometry),
+      workers_(services.workers),
       executor_(raster::executorFor(gl::resolved(kind, services.gl), services.gl, services.workers)),
       figures_(makeFigures()),
       own_(makeOwnFigure()),
@@ -96,7 +98,9 @@ std::optional<FigureBackend::Figure> FigureBackend::figureOf(const node::Request
   drawing.camera = &view.camera;
   drawing.sky = &layout_.sky;
   drawing.rect = world::overlap(request.rect, rectOf(body, figure.shadow, view.camera));
-  drawing.distance = glm::distance(body.centre(), view.camera.pose.position) / transform.scale;
+  // A busy machine draws coarser figures: doubled errors at most.
+  drawing.distance = std::sqrt(node::errorFactor(workers_.busyShare())) *
+                     glm::distance(body.centre(), view.camera.pose.position) / transform.scale;
   drawing.bones = bonesOf(player, transform);
   drawing.tint = linear(player.colour);
   drawing.sunShare =

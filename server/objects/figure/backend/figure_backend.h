@@ -28,6 +28,7 @@ class FigureBackend final : public node::BackendHalf {
  private:
   const world::Layout& layout_;
   const world::WorldGeometry& geometry_;
+  pipeline::Executor& workers_;
   pipeline::Executor& executor_;
 
   struct Figure {
