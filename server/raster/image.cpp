@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kPixelBytes = sizeof(std::uint32_t) + sizeof(float);
 
-/// An image may lie in memory that is so many times larger than it needs.
+/// Size of the largest memory that an image may use, in multiples of what it needs.
 constexpr std::size_t kMaxLarger = 2;
 
 // Sizes are rounded up so that a moving object's slightly different rectangles reuse memory.
