@@ -12,9 +12,8 @@
 namespace grove::node {
 
 /// The views that requests of one link may name: those of each session's newest seconds, in which a backdrop may be
-/// extended. They take at most kMaxBytes in total,
-/// including those that requests still hold. If that is not enough, drops the views of the least recently used session
-/// first. One thread at a time.
+/// extended. They take at most kMaxBytes in total, including those that requests still hold. If that is not enough,
+/// drops the views of the least recently used session first. One thread at a time.
 class SentViews {
  public:
   static constexpr std::size_t kMostKept = 256;  ///< of a session; more than a visitor's frames in that time

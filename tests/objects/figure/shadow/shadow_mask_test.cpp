@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <utility>
 
+#include "objects/figure/backend/figure_shape.h"
+#include "objects/figure/backend/gait.h"
 #include "objects/figure/backend/shadow/shadow_grid.h"
 #include "objects/figure/shadow/posts.h"
 
@@ -50,6 +55,33 @@ TEST(ShadowMask, IsSofterTheFartherFromTheFeet) {
   EXPECT_GT(edgeAt(mask, 0.2F), 0.015F);
   EXPECT_LT(edgeAt(mask, 0.2F), 0.07F);
   EXPECT_GT(edgeAt(mask, 1.5F), 2.0F * edgeAt(mask, 0.2F));
+}
+
+/// Would catch a figure with an open part, where the triangles that face the sun leave a hole in the shadow: those of
+/// the other side must cover the same.
+TEST(ShadowMask, BothSidesOfAFigureCastTheSameShadow) {
+  const raster::Surface figure = makeFigure(1.0F).surface;
+  raster::Surface reversed = figure;
+  for (raster::Level& level : reversed.levels) {
+    for (raster::Triangle& triangle : level.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  world::Player player;
+  player.velocity.x = world::kWalkSpeed;
+  for (int step = 0; step < 8; ++step) {
+    player.stride = 0.19F * static_cast<float>(step);
+    world::Transform transform;
+    transform.yaw = 0.8F * static_cast<float>(step);
+    const auto bones = bonesOf(player, transform);
+    const SunView sun(glm::normalize(Vec3(0.5F, 0.2F + 0.2F * static_cast<float>(step), 0.3F)));
+    const ShadowMask front = castShadow(figure, bones, sun);
+    const ShadowMask back = castShadow(reversed, bones, sun);
+    int different = 0;
+    for (std::size_t i = 0; i < front.opacity.size(); ++i) {
+      if (std::abs(front.opacity[i] - back.opacity[i]) > 32) ++different;
+    }
+    EXPECT_EQ(different, 0) << step;
+    EXPECT_GT(std::ranges::count_if(front.opacity, [](int opacity) { return opacity > 200; }), 300);
+  }
 }
 
 /// Would catch a shadow that ends in a straight line where its mask ends.
