@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "node/messages/cell_nearness.h"
 #include "node/messages/request.h"
 #include "node/messages/result.h"
 #include "raster/yuv_image.h"
@@ -59,8 +60,9 @@ struct Label {
 /// A composited frame, the pipeline's product.
 struct FinishedFrame {
   std::shared_ptr<const View> view;
-  std::shared_ptr<const raster::YuvImage> picture;  ///< whole frame
-  std::vector<Label> labels = {};                   ///< nearest first, at most kMaxLabelsPerFrame
+  std::shared_ptr<const raster::YuvImage> picture;         ///< whole frame
+  std::vector<Label> labels = {};                          ///< nearest first, at most kMaxLabelsPerFrame
+  std::shared_ptr<const CellNearness> nearness = nullptr;  ///< null: unknown
 };
 
 inline pipeline::TraceTag traceTag(const std::shared_ptr<const FrameList>& list) {

@@ -96,12 +96,12 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   const bool same = asPictures_ && isSame(frame, still);
   lastCamera_ = camera;
   const double pixels = static_cast<double>(frame.picture->width()) * frame.picture->height();
-  const StreamControl::Choice choice =
-      control_->choose(kind, encoder->range(), pixels, still, same, pipeline::wallSeconds());
+  StreamControl::Choice choice = control_->choose(kind, encoder->range(), pixels, still, same, pipeline::wallSeconds());
   if (same && !choice.order.independent && choice.order.quantiser >= lastQuantiser_) {
     control_->unchanged(frame.view->lastInput);
     return;
   }
+  if (encoder->usesMotion()) choice.order.motion = motion_.next(camera, frame.nearness.get());
   const double began = pipeline::wallSeconds();
   control_->took(FrameTimes::Place::kDrawing, began - frame.view->time);
   const std::shared_ptr<EncodedFrame> made = makeRoom(namesAndSounds_ ? frame.labels.size() : 0);
@@ -125,7 +125,7 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   made->header.codec = encoder->codec();
   made->header.independent = independent;
   writeHeader(frame, *made);
-  held_.set(encoder->bytes() + made->bytes.capacity());
+  held_.set(encoder->bytes() + motion_.bytes() + made->bytes.capacity());
   outputs_.frame(made);
 }
 
@@ -164,6 +164,7 @@ Encoder* EncodeStage::encoderOf(const EncoderKind& kind) {
   try {
     encoder_ = kind.make();
     kind_ = kind.name;
+    motion_ = {};
     lastCamera_.reset();
   } catch (const EnvironmentError& e) {
     log::error(e.what());

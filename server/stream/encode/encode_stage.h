@@ -12,6 +12,7 @@
 #include "stream/adapt/stream_control.h"
 #include "stream/encode/encoded_frame.h"
 #include "stream/encode/encoder.h"
+#include "stream/encode/scene_motion.h"
 
 namespace grove::stream {
 
@@ -52,6 +53,7 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
   const Outputs outputs_;
   std::string kind_;  ///< name of the encoder's kind
   std::unique_ptr<Encoder> encoder_;
+  SceneMotion motion_;  ///< between pictures of this encoder
   std::size_t lastBytes_ = 0;
   std::optional<world::Camera> lastCamera_;
   std::uint64_t lastHash_ = 0;

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "raster/yuv_image.h"
+#include "stream/encode/motion_vector.h"
 
 namespace grove::stream {
 
@@ -16,6 +18,9 @@ using Quantiser = double;
 struct EncodeOrder {
   Quantiser quantiser = 26.0;
   bool independent = false;  ///< must be decodable without earlier ones
+  /// From each 8 x 8 block of the picture, row by row, to the same content in the picture that was encoded last, as far
+  /// as the scene tells; blocks at the right and bottom may be smaller. Empty: unknown. Valid during the call.
+  std::span<const MotionVector> motion = {};
 };
 
 /// Range of one encoder; orders stay within `finest` and `coarsest`.
@@ -36,6 +41,8 @@ class Encoder {
   /// independent; if not, it needs the previously encoded one, so every encoded picture must be sent. Throws
   /// EnvironmentError if the library fails.
   virtual bool encode(const raster::YuvImage& picture, const EncodeOrder& order, std::vector<std::uint8_t>& out) = 0;
+  /// Whether it wants motion in its orders.
+  [[nodiscard]] virtual bool usesMotion() const noexcept { return false; }
   /// Memory that it keeps between pictures.
   [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
 };

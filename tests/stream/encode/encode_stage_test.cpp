@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <thread>
 #include <utility>
@@ -84,6 +86,26 @@ class FailingEncoder final : public Encoder {
   int made_ = 0;
 };
 
+/// Notes the motion in its orders; it may not want any.
+class MovingEncoder final : public Encoder {
+ public:
+  using Motions = std::vector<std::vector<MotionVector>>;
+  MovingEncoder(bool wants, Motions& motions) : wants_(wants), motions_(motions) {}
+  [[nodiscard]] std::uint8_t codec() const noexcept override { return kCodecH264; }
+  [[nodiscard]] QuantiserRange range() const noexcept override { return {}; }
+  bool encode(const raster::YuvImage& /*picture*/, const EncodeOrder& order, std::vector<std::uint8_t>& out) override {
+    out.push_back(1);
+    motions_.emplace_back(order.motion.begin(), order.motion.end());
+    return motions_.size() == 1;
+  }
+  [[nodiscard]] bool usesMotion() const noexcept override { return wants_; }
+  [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
+
+ private:
+  const bool wants_;
+  Motions& motions_;
+};
+
 /// A stage, a stream's control and what comes out of it, of one visitor whose page takes H.264.
 class Stream {
  public:
@@ -142,9 +164,12 @@ class Stream {
     view.camera.height = 180;
     view.camera.pose.yaw = yaw;
     view.time = pipeline::wallSeconds();
-    return {std::make_shared<const node::View>(view), tests::yuvOf(image), labels};
+    const auto nearness = std::make_shared<node::CellNearness>(320, 180, images_);
+    std::ranges::fill(nearness->cells(), 0.0F);
+    return {std::make_shared<const node::View>(view), tests::yuvOf(image), labels, nearness};
   }
 
+  raster::ImagePool images_;
   const EncoderRegistry encoders_;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
@@ -258,6 +283,37 @@ TEST(EncodeStage, FallsBackToJpeg) {
     EXPECT_TRUE(read->header.independent) << at;
     JpegDecoder decoder;
     EXPECT_NE(decoder.decode(read->picture), nullptr) << at;
+  }
+}
+
+// Faults: motion since a frame that was not encoded, as a capture is not; motion from a picture of another encoder;
+// none; work for encoders that do not want it.
+TEST(EncodeStage, TellsTheMotionSinceTheLastEncodedPicture) {
+  for (const bool wants : {false, true}) {
+    MovingEncoder::Motions motions;
+    EncoderRegistry encoders = builtinEncoders(80);
+    encoders.add({kCodecH264, true, "moving", "test", [&] { return std::make_unique<MovingEncoder>(wants, motions); }});
+    Stream stream(std::move(encoders));
+    (void)stream.push(grain(1), 0.0F);
+    (void)stream.push(grain(2), 0.01F);
+    stream.control().capture(7);
+    world::Camera camera;
+    (void)stream.control().aim(camera, stream.pushed() + 1, pipeline::wallSeconds());
+    (void)stream.push(grain(3), 0.1F);
+    (void)stream.push(grain(4), 0.03F);
+    ASSERT_EQ(motions.size(), 3U);
+    EXPECT_TRUE(motions[0].empty());
+    if (!wants) {
+      EXPECT_TRUE(motions[1].empty() && motions[2].empty());
+      continue;
+    }
+    ASSERT_EQ(motions[1].size(), 40U * 23U);
+    ASSERT_EQ(motions[2].size(), 40U * 23U);
+    // In the middle, a turn to the left moves everything to the right: so the content was farther left.
+    const float focal = 4.0F * 90.0F / std::tan(1.05F / 2.0F);
+    constexpr std::size_t kMiddle = 11 * 40 + 20;
+    EXPECT_NEAR(motions[1][kMiddle].x, -0.01F * focal, 1.0F);
+    EXPECT_NEAR(motions[2][kMiddle].x, -0.02F * focal, 1.0F);
   }
 }
 

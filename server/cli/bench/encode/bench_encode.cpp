@@ -59,13 +59,13 @@ std::string settingName(const EncodeSetting& setting) {
 
 void print(const EncodeReport& report) {
   std::printf("%s, one core of %s\n", report.size.c_str(), measure::processorName().c_str());
-  std::printf("%-7s %-20s %-18s %9s %9s %9s %9s %7s %7s\n", "codec", "walk", "setting", "quantiser", "CPU ms", "p99",
-              "kbit/s", "SSIM", "lowest");
+  std::printf("%-7s %-13s %-20s %-18s %9s %9s %9s %9s %7s %7s\n", "codec", "encoder", "walk", "setting", "quantiser",
+              "CPU ms", "p99", "kbit/s", "SSIM", "lowest");
   for (const TrialRow& row : report.rows) {
     const EncodeTrial& trial = row.trial;
-    std::printf("%-7s %-20s %-18s %9.1f %9.2f %9.2f %9.0f %7.4f %7.4f\n", trial.codec.c_str(), row.walk.c_str(),
-                settingName(trial.setting).c_str(), trial.quantiser, trial.cpuMilliseconds, trial.p99Milliseconds,
-                trial.kilobitsPerSecond, trial.ssim, trial.minSsim);
+    std::printf("%-7s %-13s %-20s %-18s %9.1f %9.2f %9.2f %9.0f %7.4f %7.4f\n", trial.codec.c_str(),
+                trial.encoder.c_str(), row.walk.c_str(), settingName(trial.setting).c_str(), trial.quantiser,
+                trial.cpuMilliseconds, trial.p99Milliseconds, trial.kilobitsPerSecond, trial.ssim, trial.minSsim);
   }
   if (report.interrupted) std::puts("\ninterrupted: these figures are incomplete");
 }
@@ -78,6 +78,7 @@ ordered_json toJson(const EncodeReport& report) {
     ordered_json wanted;
     if (!trial.setting.quantiser) wanted = trial.setting.kilobitsPerSecond;
     rows.push_back({{"codec", trial.codec},
+                    {"encoder", trial.encoder},
                     {"walk", row.walk},
                     {"wanted_kbit_per_s", wanted},
                     {"quantiser", rounded(trial.quantiser, 2)},
@@ -101,7 +102,7 @@ KeptFrames recordWalk(WalkWorld& world, const world::Walk& walk, double seconds,
   WalkVisitor visitor(world, {.size = size});
   world.walk(
       walk, seconds, Pace::kThirtyASecond, [&](const Moment& moment) { static_cast<void>(visitor.draw(moment)); },
-      [&](const Moment& moment) { frames.add(moment.pose, *visitor.draw(moment).picture); }, stop);
+      [&](const Moment& moment) { frames.add(visitor.draw(moment)); }, stop);
   return frames;
 }
 

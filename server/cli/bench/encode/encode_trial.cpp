@@ -5,6 +5,7 @@
 
 #include "base/checksum.h"
 #include "base/error.h"
+#include "cli/bench/codec_names.h"
 #include "cli/bench/walk/walk_world.h"
 #include "cli/figures.h"
 #include "measure/percentile.h"
@@ -13,6 +14,7 @@
 #include "stream/adapt/stream_control.h"
 #include "stream/encode/h264_decoder.h"
 #include "stream/encode/jpeg_decoder.h"
+#include "stream/encode/scene_motion.h"
 
 namespace grove::cli {
 namespace {
@@ -63,13 +65,14 @@ class Visitor {
   }
 
   /// Returns the bytes to send to a page that shows the previous frames; empty if nothing is sent.
-  [[nodiscard]] std::span<const std::uint8_t> send(const world::Pose& pose, const raster::YuvImage& frame) {
+  [[nodiscard]] std::span<const std::uint8_t> send(const node::FinishedFrame& frame) {
     const double now = ++frames_ / kWalkFramesPerSecond;
-    const double pixels = static_cast<double>(frame.width()) * frame.height();
-    const bool still = frames_ > 1 && pose == pose_;
-    const std::uint64_t hash = checksumOf(std::as_bytes(std::span(frame.bytes)));
+    const world::Camera& camera = frame.view->camera;
+    const double pixels = static_cast<double>(frame.picture->width()) * frame.picture->height();
+    const bool still = camera_ == camera;
+    const std::uint64_t hash = checksumOf(std::as_bytes(std::span(frame.picture->bytes)));
     const bool same = still && hash == hash_;
-    pose_ = pose;
+    camera_ = camera;
     hash_ = hash;
     stream::StreamControl::Choice choice = control_.choose(kind_, encoder_->range(), pixels, still, same, now);
     if (setting_.quantiser) choice.order.quantiser = *setting_.quantiser;
@@ -77,7 +80,8 @@ class Visitor {
     quantiser_ = choice.order.quantiser;
     bytes_.clear();
     const std::int64_t begin = pipeline::threadCpuNanoseconds();
-    const bool independent = encoder_->encode(frame, choice.order, bytes_);
+    if (encoder_->usesMotion()) choice.order.motion = motion_.next(camera, frame.nearness.get());
+    const bool independent = encoder_->encode(*frame.picture, choice.order, bytes_);
     times_.push_back(asMilliseconds(pipeline::threadCpuNanoseconds() - begin));
     quantisers_ += quantiser_;
     sent_ += bytes_.size();
@@ -102,7 +106,8 @@ class Visitor {
   stream::StreamControl control_;
   const std::unique_ptr<stream::Encoder> encoder_;
   int frames_ = 0;
-  world::Pose pose_;
+  std::optional<world::Camera> camera_;
+  stream::SceneMotion motion_;
   std::uint64_t hash_ = 0;
   stream::Quantiser quantiser_ = 0.0;
   std::vector<std::uint8_t> bytes_;
@@ -115,16 +120,16 @@ class Visitor {
 
 EncodeTrial tryEncoder(const stream::EncoderRegistry& encoders, const stream::EncoderKind& kind,
                        const EncodeSetting& setting, KeptFrames& frames, const std::stop_token& stop) {
-  EncodeTrial trial{kind.name, setting};
+  EncodeTrial trial{.codec = codecName(kind.codec), .encoder = kind.name, .setting = setting};
   trial.minSsim = 1.0;
   Visitor visitor(encoders, kind, setting, frames.width(), frames.height());
   Screen screen(kind.codec);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < frames.count() && (i == 0 || !stop.stop_requested()); ++i) {
-    const raster::YuvImage& frame = frames.read(i);
-    if (const auto picture = visitor.send(frames.pose(i), frame); !picture.empty()) screen.show(picture);
+    const node::FinishedFrame frame = frames.read(i);
+    if (const auto picture = visitor.send(frame); !picture.empty()) screen.show(picture);
     if (i % kFramesPerComparison != 0) continue;
-    const double ssim = screen.likeness(frame);
+    const double ssim = screen.likeness(*frame.picture);
     trial.ssim += ssim;
     trial.minSsim = std::min(trial.minSsim, ssim);
     ++compared;

@@ -19,6 +19,7 @@ struct EncodeSetting {
 /// Cost and quality of encoding a walk's frames with one encoder.
 struct EncodeTrial {
   std::string codec;
+  std::string encoder;  ///< name of its kind
   EncodeSetting setting;
   std::size_t pictures = 0;      ///< sent pictures; none is sent where no pixel has changed and no refinement is due
   double quantiser = 0.0;        ///< mean of the pictures

@@ -32,10 +32,10 @@ bool transferAll(const Transfer& transfer, int descriptor, Bytes* bytes, std::si
 
 }  // namespace
 
-KeptFrames::KeptFrames(int width, int height)
-    : bytes_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 2 * 3) {
-  image_.rect = {0, 0, width, height};
-  image_.bytes = bytes_;
+KeptFrames::KeptFrames(int width, int height) {
+  raster::ImagePool images;
+  picture_ = raster::acquireYuv(images, {0, 0, width, height});
+  nearness_ = std::make_shared<node::CellNearness>(width, height, images);
   std::string path = (std::filesystem::temp_directory_path() / "grove-frames-XXXXXX").string();
   const int descriptor = ::mkstemp(path.data());
   if (descriptor < 0) fail("cannot make a file for frames");
@@ -44,21 +44,33 @@ KeptFrames::KeptFrames(int width, int height)
   if (!file_) fail("cannot make a file for frames");
 }
 
-void KeptFrames::add(const world::Pose& pose, const raster::YuvImage& image) {
-  assert(image.width() == width() && image.height() == height());
-  const auto bytes = std::as_bytes(std::span(image.bytes));
-  if (!transferAll(::pwrite, ::fileno(file_.get()), bytes.data(), bytes.size(), count() * bytes.size())) {
+void KeptFrames::add(const node::FinishedFrame& frame) {
+  assert(frame.picture->rect == picture_->rect && frame.nearness != nullptr);
+  const auto picture = std::as_bytes(std::span(frame.picture->bytes));
+  const auto nearness = std::as_bytes(frame.nearness->cells());
+  const std::size_t place = placeOf(count());
+  const int file = ::fileno(file_.get());
+  if (!transferAll(::pwrite, file, picture.data(), picture.size(), place) ||
+      !transferAll(::pwrite, file, nearness.data(), nearness.size(), place + picture.size())) {
     fail("cannot write a frame");
   }
-  poses_.push_back(pose);
+  views_.push_back(frame.view);
 }
 
-const raster::YuvImage& KeptFrames::read(std::size_t index) {
-  const auto bytes = std::as_writable_bytes(std::span(bytes_));
-  if (!transferAll(::pread, ::fileno(file_.get()), bytes.data(), bytes.size(), index * bytes.size())) {
+node::FinishedFrame KeptFrames::read(std::size_t index) {
+  const auto picture = std::as_writable_bytes(std::span(picture_->bytes));
+  const auto nearness = std::as_writable_bytes(nearness_->cells());
+  const std::size_t place = placeOf(index);
+  const int file = ::fileno(file_.get());
+  if (!transferAll(::pread, file, picture.data(), picture.size(), place) ||
+      !transferAll(::pread, file, nearness.data(), nearness.size(), place + picture.size())) {
     fail("cannot read a frame");
   }
-  return image_;
+  return {.view = views_[index], .picture = picture_, .nearness = nearness_};
+}
+
+std::size_t KeptFrames::placeOf(std::size_t index) const {
+  return index * (picture_->bytes.size() + nearness_->cells().size_bytes());
 }
 
 }  // namespace grove::cli

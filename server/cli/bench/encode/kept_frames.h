@@ -5,35 +5,38 @@
 #include <memory>
 #include <vector>
 
+#include "node/messages.h"
 #include "raster/yuv_image.h"
-#include "world/camera.h"
 
 namespace grove::cli {
 
-/// The frames that one visitor saw, 1.4 MB each for 1280 x 720 pixels, in an unlinked temporary file. Not thread-safe.
+/// The frames that one visitor saw, 1.5 MB each for 1280 x 720 pixels, in an unlinked temporary file. Not thread-safe.
 class KeptFrames {
  public:
   /// Throws EnvironmentError if there is no room for a temporary file.
   KeptFrames(int width, int height);
 
   /// Throws EnvironmentError if the disk is full.
-  void add(const world::Pose& pose, const raster::YuvImage& image);
+  void add(const node::FinishedFrame& frame);
 
-  [[nodiscard]] std::size_t count() const noexcept { return poses_.size(); }
-  [[nodiscard]] int width() const noexcept { return image_.width(); }
-  [[nodiscard]] int height() const noexcept { return image_.height(); }
-  [[nodiscard]] const world::Pose& pose(std::size_t index) const { return poses_[index]; }
-  /// Reads a frame into memory; valid until the next call. Throws EnvironmentError if it cannot be read.
-  [[nodiscard]] const raster::YuvImage& read(std::size_t index);
+  [[nodiscard]] std::size_t count() const noexcept { return views_.size(); }
+  [[nodiscard]] int width() const noexcept { return picture_->width(); }
+  [[nodiscard]] int height() const noexcept { return picture_->height(); }
+  /// Reads a frame, without its labels. The next call overwrites its picture and nearness. Throws EnvironmentError if
+  /// it cannot be read.
+  [[nodiscard]] node::FinishedFrame read(std::size_t index);
 
  private:
   struct Closer {
     void operator()(std::FILE* file) const noexcept { static_cast<void>(std::fclose(file)); }
   };
+  /// Where a frame begins in the file.
+  [[nodiscard]] std::size_t placeOf(std::size_t index) const;
+
   std::unique_ptr<std::FILE, Closer> file_;
-  std::vector<world::Pose> poses_;
-  std::vector<std::uint8_t> bytes_;
-  raster::YuvImage image_;
+  std::vector<std::shared_ptr<const node::View>> views_;
+  std::shared_ptr<raster::YuvImage> picture_;
+  std::shared_ptr<node::CellNearness> nearness_;
 };
 
 }  // namespace grove::cli

@@ -120,12 +120,13 @@ MachineKernel backdropWarp() {
     world::Camera camera;
     const std::shared_ptr<raster::YuvImage> picture = raster::acquireYuv(images, kFrame);
     const std::shared_ptr<raster::Image> layers = images.acquire(kFrame);
+    node::CellNearness nearness{kFrame.width(), kFrame.height(), images};
     const node::FreshParts fresh{kFrame, std::vector<world::Rect>{}};
   };
   const auto frame = std::make_shared<Frame>();
   return {"warp", 1.33, [frame] {
             node::BackdropWarp(*frame->backdrop, frame->camera)
-                .fill(kFrame.top, kFrame.bottom, frame->fresh, *frame->picture, *frame->layers);
+                .fill(kFrame.top, kFrame.bottom, frame->fresh, {*frame->picture, *frame->layers, frame->nearness});
           }};
 }
 

@@ -10,6 +10,7 @@ namespace grove::node {
 namespace {
 
 constexpr int kCell = Backdrop::kCell;
+static_assert(kCell == CellNearness::kCell);
 static_assert(FreshParts::kStripWidth == kWarpPixels && FreshParts::kStripHeight == kCell);
 
 /// Steps of the search for a corner from the nearness of the corner above it, and from the nearest in the picture.
@@ -71,15 +72,13 @@ BackdropWarp::BackdropWarp(const Backdrop& backdrop, const world::Camera& frame)
       frame_{0, 0, frame.width, frame.height},
       isCopy_(backdrop.view().camera == frame && world::overlap(backdrop.image().rect, frame_) == frame_) {}
 
-void BackdropWarp::fill(int top, int bottom, const FreshParts& fresh, raster::YuvImage& picture,
-                        raster::Image& layers) const {
+void BackdropWarp::fill(int top, int bottom, const FreshParts& fresh, const WarpedFrame& out) const {
   for (int left = 0; left < frame_.right; left += kWarpPixels) {
-    fillColumn({left, top, std::min(left + kWarpPixels, frame_.right), bottom}, fresh, picture, layers);
+    fillColumn({left, top, std::min(left + kWarpPixels, frame_.right), bottom}, fresh, out);
   }
 }
 
-void BackdropWarp::fillColumn(const world::Rect& column, const FreshParts& fresh, raster::YuvImage& picture,
-                              raster::Image& layers) const {
+void BackdropWarp::fillColumn(const world::Rect& column, const FreshParts& fresh, const WarpedFrame& out) const {
   CornerLine first;
   CornerLine second;
   CornerLine* above = &first;
@@ -93,11 +92,14 @@ void BackdropWarp::fillColumn(const world::Rect& column, const FreshParts& fresh
     findCorners(search_, column.left, top + kCell, kSteps, *below);
     const world::Rect strip{column.left, top, column.right, std::min(top + kCell, column.bottom)};
     const bool isFresh = fresh.isFresh(strip.left, strip.top);
-    if (isFresh) prefetchRows(strip, layers);
-    warpColours(*above, *below, strip, picture);
-    if (!isFresh) continue;
-    raster::toRgba(picture, strip, layers);
-    warpDepth(*above, *below, strip, layers);
+    if (isFresh) prefetchRows(strip, out.layers);
+    warpColours(*above, *below, strip, out.picture);
+    if (!isFresh) {
+      warpNearness(*above, *below, strip, out.nearness);
+      continue;
+    }
+    raster::toRgba(out.picture, strip, out.layers);
+    warpDepth(*above, *below, strip, out.layers);
   }
 }
 
@@ -133,6 +135,23 @@ void BackdropWarp::warpDepth(const CornerLine& above, const CornerLine& below, c
   float depths[kWarpPixels * kCell];
   warpDepths(source_, above, below, cells, depths, kWarpPixels);
   copyRows(depths, kWarpPixels, strip.width(), strip.height(), out, layers.width());
+}
+
+void BackdropWarp::warpNearness(const CornerLine& above, const CornerLine& below, const world::Rect& strip,
+                                CellNearness& nearness) const {
+  float* const out = nearness.row(strip.top / kCell).data() + strip.left / kCell;
+  const int cells = (strip.width() + kCell - 1) / kCell;
+  // Pixels between corners are interpolated, and so are their depths.
+  const auto atCentre = [](const float* upper, const float* lower, int cell) {
+    return 0.25F * (upper[cell] + upper[cell + 1] + lower[cell] + lower[cell + 1]);
+  };
+  for (int cell = 0; cell < cells; ++cell) {
+    const float inBackdrop = atCentre(above.nearness, below.nearness, cell);
+    const float perForward = atCentre(above.perForward, below.perForward, cell);
+    // The inverse of the depth, (1 / w - m2) / k2 as WarpCamera has it, for the sky as well.
+    const float near = inBackdrop / std::max((1.0F - source_.m2 * inBackdrop) * perForward, kMinForward);
+    out[cell] = perForward > 0.0F ? near : 0.0F;
+  }
 }
 
 }  // namespace grove::node

@@ -75,11 +75,17 @@ FinishedFrame Compositor::composite(const CompleteFrame& frame) {
   const auto picture = raster::acquireYuv(images_, area);
   auto layers = images_.acquire(area);
   layers->spans = fresh.spans();
-  BandSteps steps{.image = [&](const world::Rect&) { return layers; }};
+  const auto nearness = std::make_shared<CellNearness>(area.width(), area.height(), images_);
+  const std::vector<world::Rect> strips = fresh.strips();
+  BandSteps steps{.image = [&](const world::Rect&) { return layers; },
+                  .end =
+                      [&](const raster::Image& image, const world::Rect& band) {
+                        for (const world::Rect& strip : strips) nearness->measure(image, world::overlap(strip, band));
+                      }};
   if (warp) {
     steps.begin = [&](FrameBuilder& rows, const world::Rect& band) {
       rows.cover();
-      warp->fill(band.top, band.bottom, fresh, *picture, *layers);
+      warp->fill(band.top, band.bottom, fresh, {*picture, *layers, *nearness});
     };
   }
   compose(scene, traceTag(frame), area, steps);
@@ -92,9 +98,9 @@ FinishedFrame Compositor::composite(const CompleteFrame& frame) {
     if (const auto label = each.layer->label(*layers)) labels.push_back(*label);
   }
   times.turnTo(kBackdrop);
-  for (const world::Rect& strip : fresh.strips()) raster::toYuv(*layers, strip, *picture);
+  for (const world::Rect& strip : strips) raster::toYuv(*layers, strip, *picture);
   halves_->reportMemory();
-  return {list.view, picture, nearestOf(std::move(labels))};
+  return {list.view, picture, nearestOf(std::move(labels)), nearness};
 }
 
 void Compositor::drawBackdrop(const CompleteFrame& frame) {
@@ -117,9 +123,9 @@ void Compositor::drawBackdrop(const CompleteFrame& frame) {
     compose(scene, traceTag(frame), part,
             {.image = [&](const world::Rect& band) { return images_.acquire(band); },
              .end =
-                 [&](const raster::Image& band) {
-                   depths.measure(band);
-                   raster::toSemiPlanar(band, *image);
+                 [&](const raster::Image& drawn, const world::Rect&) {
+                   depths.measure(drawn);
+                   raster::toSemiPlanar(drawn, *image);
                  }});
   }
   const Backdrop::Origin origin{list.backdropEye(), list.view->frame, isFinal};
@@ -185,7 +191,7 @@ void Compositor::compose(Scene& scene, pipeline::TraceTag tag, const world::Rect
       }
       rows.finish();
       times.turnTo(kBackdrop);
-      if (steps.end) steps.end(*image);
+      if (steps.end) steps.end(*image, band);
     }
   });
 }

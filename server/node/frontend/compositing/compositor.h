@@ -53,7 +53,7 @@ class Compositor final : public pipeline::Stage<CompleteFrame> {
     /// Returns the image that the band is composited in.
     std::function<std::shared_ptr<raster::Image>(const world::Rect& band)> image;
     std::function<void(FrameBuilder& rows, const world::Rect& band)> begin = nullptr;
-    std::function<void(const raster::Image& band)> end = nullptr;
+    std::function<void(const raster::Image& image, const world::Rect& band)> end = nullptr;
   };
   void compose(Scene& scene, pipeline::TraceTag tag, const world::Rect& area, const BandSteps& steps);
   /// Makes the parts that layers need before lay().

@@ -22,6 +22,7 @@ using testing::Pixel;
 constexpr std::uint8_t kPoison = 7;
 constexpr std::uint32_t kPoisonColour = 0x00010203U;
 constexpr float kPoisonDepth = -7.0F;
+constexpr float kPoisonNearness = -7.0F;
 
 /// A smooth pattern, so that interpolation is exact to about a step.
 std::uint32_t patternAt(float u, float v) {
@@ -42,9 +43,17 @@ Pixel wallAt(const world::Camera& camera, world::Vec3 ray) {
   return {patternAt(2.0F * point.x, 2.0F * point.y), depth};
 }
 
+/// A slope that rises towards a horizon out of sight.
+Pixel floorAt(const world::Camera& camera, world::Vec3 ray) {
+  const float depth = (-12.0F - camera.pose.position.z) / (ray.z + 0.8F * ray.y);
+  const world::Vec3 point = camera.pose.position + depth * ray;
+  return {patternAt(2.0F * point.x, 2.0F * point.y), depth};
+}
+
 struct Shown {
   std::shared_ptr<const raster::YuvImage> picture;
   std::shared_ptr<const raster::Image> layers;
+  std::shared_ptr<const CellNearness> nearness;
 };
 
 class BackdropWarpTest : public ::testing::Test {
@@ -59,10 +68,12 @@ class BackdropWarpTest : public ::testing::Test {
     std::ranges::fill(layers->depth, kPoisonDepth);
     const BackdropWarp warp(backdrop, camera);
     const FreshParts fresh(whole, drawn);
+    const auto nearness = std::make_shared<CellNearness>(camera.width, camera.height, pool);
+    std::ranges::fill(nearness->cells(), kPoisonNearness);
     for (int top = 0; top < camera.height; top += 48) {
-      warp.fill(top, std::min(top + 48, camera.height), fresh, *picture, *layers);
+      warp.fill(top, std::min(top + 48, camera.height), fresh, {*picture, *layers, *nearness});
     }
-    return {picture, layers};
+    return {picture, layers, nearness};
   }
 
   /// Both halves of a frame's bytes, luma and chroma.
@@ -215,6 +226,63 @@ TEST_F(BackdropWarpTest, PreparesOnlyOverdrawnParts) {
   EXPECT_EQ(shown.layers->colourRow(105)[30], below->colourRow(105)[30]);
   EXPECT_EQ(shown.layers->depthRow(300)[30], kPoisonDepth);
   EXPECT_EQ(shown.layers->colourRow(300)[30], kPoisonColour);
+}
+
+/// Of the cells that are wholly within `part`.
+void expectNearness(const CellNearness& shown, const raster::Image& wanted, const world::Rect& part) {
+  constexpr int kCell = CellNearness::kCell;
+  for (int top = part.top; top + kCell <= part.bottom; top += kCell) {
+    for (int left = part.left; left + kCell <= part.right; left += kCell) {
+      const float depth = wanted.depthRow(top + kCell / 2)[left + kCell / 2];
+      ASSERT_NEAR(shown.row(top / kCell)[static_cast<std::size_t>(left / kCell)] * depth, 1.0F, 0.03F)
+          << left << ", " << top;
+    }
+  }
+}
+
+// Faults: nearness as the backdrop's camera has it; of a plane that is cut off at the edge; that of other cells.
+TEST_F(BackdropWarpTest, NearnessIsThatOfTheFrame) {
+  const world::Camera before = cameraOf(636, 364);
+  const auto backdrop = backdropOf(floorAt, before, {-80, -80, 720, 440});
+  for (const float step : {0.0F, 0.4F}) {
+    world::Camera after = before;
+    after.pose.position += step * world::Vec3(0.5F, 0.3F, -1.0F);
+    after.pose.yaw += 0.1F * step;
+    const Shown shown = show(*backdrop, after);
+    ASSERT_EQ(shown.nearness->across(), 80);
+    ASSERT_EQ(shown.nearness->down(), 46);
+    const auto wanted = testing::paint(floorAt, after, shown.picture->rect);
+    expectNearness(*shown.nearness, *wanted, shown.picture->rect);
+    // Of cells that the frame holds in part.
+    for (int row = 0; row < 46; ++row) {
+      ASSERT_NEAR(shown.nearness->row(row)[79] / shown.nearness->row(row)[78], 1.0F, 0.05F) << row;
+    }
+    for (std::size_t i = 0; i < 80; ++i) {
+      ASSERT_NEAR(shown.nearness->row(45)[i] / shown.nearness->row(44)[i], 1.0F, 0.05F) << i;
+    }
+  }
+}
+
+TEST_F(BackdropWarpTest, SkyHasNoNearness) {
+  const world::Camera before = cameraOf(640, 360);
+  const auto backdrop = backdropOf(skyAt, before, {-40, -40, 680, 400});
+  world::Camera after = before;
+  after.pose.yaw += 0.02F;
+  after.pose.position.z -= 1.0F;
+  const Shown shown = show(*backdrop, after);
+  for (const float each : shown.nearness->cells()) ASSERT_EQ(each, 0.0F);
+}
+
+/// Fails if it overwrites what is measured after all layers.
+TEST_F(BackdropWarpTest, LeavesTheNearnessOfFreshParts) {
+  const world::Camera camera = cameraOf(640, 360);
+  const auto backdrop = backdropOf(wallAt, camera, {0, 0, 640, 360});
+  const Shown shown = show(*backdrop, camera, {{300, 100, 301, 101}});
+  EXPECT_EQ(shown.nearness->row(12)[32], kPoisonNearness);
+  EXPECT_EQ(shown.nearness->row(12)[63], kPoisonNearness);
+  EXPECT_NEAR(shown.nearness->row(12)[31], 0.2F, 0.001F);
+  EXPECT_NEAR(shown.nearness->row(12)[64], 0.2F, 0.001F);
+  EXPECT_NEAR(shown.nearness->row(11)[32], 0.2F, 0.001F);
 }
 
 /// Fails if the corner cells of an outline are stretched between what is in front and what is behind.

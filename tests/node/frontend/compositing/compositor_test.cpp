@@ -89,6 +89,10 @@ class Frames final : public pipeline::Inlet<FinishedFrame> {
     const std::lock_guard lock(mutex_);
     return tests::rgbaOf(*frames_.back().picture);
   }
+  [[nodiscard]] std::shared_ptr<const CellNearness> nearness() const {
+    const std::lock_guard lock(mutex_);
+    return frames_.back().nearness;
+  }
   [[nodiscard]] std::vector<Label> labels() const {
     const std::lock_guard lock(mutex_);
     return frames_.back().labels;
@@ -231,6 +235,35 @@ TEST_F(CompositorBackdrops, LayersMayReadDepthOutsideOfTheirBoxes) {
     show(frameOf(frame, 2.0F, frame == 1));
     EXPECT_NEAR(depthSeen, 5.0F, 0.001F) << frame;
   }
+}
+
+// Faults: a figure that is as far as what it covers; a strip without nearness; a frame without backdrop that has none.
+TEST_F(CompositorBackdrops, TellsTheNearnessOfWhatItShows) {
+  const auto expectCells = [&](float still, FrameNumber frame) {
+    const auto nearness = shown->nearness();
+    ASSERT_TRUE(nearness);
+    ASSERT_EQ(nearness->across(), 40);
+    ASSERT_EQ(nearness->down(), 23);
+    for (int row = 0; row < nearness->down(); ++row) {
+      for (int column = 0; column < nearness->across(); ++column) {
+        const bool moving = column >= 12 && column <= 17 && row >= 6 && row <= 10;
+        ASSERT_NEAR(nearness->row(row)[static_cast<std::size_t>(column)], moving ? 0.5F : still, 1.0e-4F)
+            << column << ", " << row << " of frame " << frame;
+      }
+    }
+  };
+  for (const FrameNumber frame : {1U, 2U}) {
+    show(frameOf(frame, 2.0F, frame == 1));
+    expectCells(0.2F, frame);
+  }
+  CompleteFrame whole = frameOf(3, 2.0F, false);
+  auto list = std::make_shared<FrameList>(*whole.list);
+  list->backdrop.reset();
+  list->area = {};
+  list->drawn.clear();
+  whole.list = std::move(list);
+  show(std::move(whole));
+  expectCells(0.0F, 3);
 }
 
 /// Fails if what a backdrop had is lost, drawn anew or moved, and if its eye becomes that of the frame.
