@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/simd/target.h"
 #include "base/version.h"
+#include "cli/bench/codec_names.h"
 #include "gl/context.h"
 #include "stream/encode/encoder_registry.h"
 #include "stream/session/host.h"
@@ -32,7 +33,7 @@ std::string codecs() {
   std::string text;
   const stream::EncoderRegistry encoders = stream::builtinEncoders(stream::HostOptions{}.jpegQuality);
   for (const stream::EncoderKind& kind : encoders.kinds()) {
-    text.append(text.empty() ? "" : ", ").append(kind.name).append(" (").append(kind.library).append(")");
+    text.append(text.empty() ? "" : ", ").append(codecName(kind.codec)).append(" (").append(kind.library).append(")");
   }
   return text;
 }

@@ -6,7 +6,7 @@ export const commands = ['bench encode --walk tests/walks/clearing.walk --second
 export async function measure() {
   const report = await reportOf(commands[0]);
   return report.rows.map((row) => ({
-    codec: row.codec,
+    encoder: row.encoder,
     walk: row.walk,
     'wanted, kbit/s': row.wanted_kbit_per_s,
     'kbit/s': Math.round(row.kbit_per_s),

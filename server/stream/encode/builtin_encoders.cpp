@@ -1,4 +1,6 @@
+#include "base/version.h"
 #include "stream/encode/encoder_registry.h"
+#include "stream/encode/h264/scene_encoder.h"
 #include "stream/encode/h264_encoder.h"
 #include "stream/encode/jpeg_encoder.h"
 #include "stream/protocol/protocol.h"
@@ -7,10 +9,12 @@ namespace grove::stream {
 
 EncoderRegistry builtinEncoders(int jpegQuality) {
   EncoderRegistry registry;
-  registry.add({kCodecJpeg, false, "jpeg", "libjpeg-turbo " GROVE_TURBOJPEG_VERSION,
+  registry.add({kCodecJpeg, false, "libjpeg-turbo", "libjpeg-turbo " GROVE_TURBOJPEG_VERSION,
                 [jpegQuality] { return std::make_unique<JpegEncoder>(jpegQuality); }});
+  registry.add({kCodecH264, true, "grove", "Grove " + std::string(version()),
+                [] { return std::make_unique<h264::SceneEncoder>(); }});
   registry.add(
-      {kCodecH264, true, "h264", "OpenH264 " + openH264Version(), [] { return std::make_unique<H264Encoder>(); }});
+      {kCodecH264, true, "openh264", "OpenH264 " + openH264Version(), [] { return std::make_unique<H264Encoder>(); }});
   return registry;
 }
 

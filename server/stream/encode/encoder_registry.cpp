@@ -20,9 +20,4 @@ const EncoderKind& EncoderRegistry::choose(std::span<const std::uint8_t> offer) 
   return *jpeg;
 }
 
-const EncoderKind* EncoderRegistry::find(const std::string& name) const {
-  const auto found = std::ranges::find(kinds_, name, &EncoderKind::name);
-  return found == kinds_.end() ? nullptr : &*found;
-}
-
 }  // namespace grove::stream

@@ -15,8 +15,8 @@ namespace grove::stream {
 struct EncoderKind {
   std::uint8_t codec = 0;                          ///< as in PROTOCOL.md; several kinds may share one
   bool chained = false;                            ///< pictures depend on earlier ones, except independent ones
-  std::string name;                                ///< for options and reports, for example "h264"
-  std::string library;                             ///< name and version of the library
+  std::string name;                                ///< unique, for reports, for example "openh264"
+  std::string library;                             ///< name and version of what encodes
   std::function<std::unique_ptr<Encoder>()> make;  ///< throws EnvironmentError if the library cannot start
 };
 
@@ -28,8 +28,6 @@ class EncoderRegistry {
 
   /// Returns the kind of the first known codec of a page's offer; JPEG, which every page can decode, if none is known.
   [[nodiscard]] const EncoderKind& choose(std::span<const std::uint8_t> offer) const;
-  /// Returns the kind with this name; null if there is none.
-  [[nodiscard]] const EncoderKind* find(const std::string& name) const;
   [[nodiscard]] std::span<const EncoderKind> kinds() const noexcept { return kinds_; }
 
  private:

@@ -88,6 +88,11 @@ class StreamFile {
     }
     return output;
   }
+  /// The planes of the pictures, as ffmpeg decodes them: those of the first, and so on.
+  [[nodiscard]] std::vector<std::uint8_t> planes() const {
+    const std::vector<char> bytes = run("ffmpeg -nostdin -v error -i @ -f rawvideo -vsync 0 -pix_fmt yuvj420p -");
+    return {bytes.begin(), bytes.end()};
+  }
   /// The pictures, as ffmpeg decodes them; all of the size of the first.
   [[nodiscard]] std::vector<std::uint32_t> pixels() const {
     const std::vector<char> bytes = run("ffmpeg -nostdin -v error -i @ -f rawvideo -vsync 0 -pix_fmt rgba -");

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "stream/encode/h264/coded_macroblock.h"
+#include "stream/encode/h264/macroblock_pixels.h"
+#include "stream/encode/h264/reference_picture.h"
+#include "stream/encode/motion_vector.h"
+
+namespace grove::stream::h264 {
+
+/// The vectors that the scene gives for a macroblock's 8 x 8 blocks.
+using KnownMotion = std::array<MotionVector, 4>;
+
+/// Chooses how a macroblock is predicted: kind, vectors and modes. Mode decision is what most encoders spend their time
+/// on; here the scene tells the motion, so that one or two predictions are made where others search. What it tells is
+/// checked by the difference from the source: where it is wrong, as with smoke, neighbours' vectors are tried, and then
+/// prediction within the picture.
+class MacroblockChoice {
+ public:
+  /// `reference`: null for an independent picture. `picture`: the one that is reconstructed. All outlive it.
+  MacroblockChoice(const ReferencePicture* reference, const ReferencePicture& picture, const MacroblockGrid& grid)
+      : reference_(reference), picture_(picture), grid_(grid) {}
+
+  /// Fills in kind, vectors and modes of `to`, which becomes skipped only by what the residual then turns out to be.
+  /// Returns the prediction, valid until the next call.
+  [[nodiscard]] const MacroblockPixels& choose(const MacroblockPixels& source, const std::optional<KnownMotion>& motion,
+                                               int quantiser, int column, int row, CodedMacroblock& to);
+
+ private:
+  /// The macroblock at hand.
+  struct Target {
+    const MacroblockPixels& source;
+    int column;
+    int row;
+    int bitCost;  ///< in units of the sum of absolute differences
+  };
+  void chooseInter(const Target& target, const std::optional<KnownMotion>& motion);
+  void tryVectors(const Target& target, const KnownMotion& vectors, int bits);
+  void tryNeighbours(const Target& target);
+  void chooseIntra(const Target& target);
+  [[nodiscard]] bool isWithinReach(const MotionVector& vector, int column, int row) const;
+  [[nodiscard]] MacroblockPixels& free() { return predictions_[1 - best_]; }
+  void takeFree(int cost) {
+    best_ = 1 - best_;
+    cost_ = cost;
+  }
+
+  const ReferencePicture* reference_;
+  const ReferencePicture& picture_;
+  const MacroblockGrid& grid_;
+  std::array<MacroblockPixels, 2> predictions_{};
+  std::size_t best_ = 0;
+  int cost_ = 0;
+  bool intra_ = false;
+  KnownMotion vectors_{};
+  IntraMode mode_ = IntraMode::kMean;
+};
+
+}  // namespace grove::stream::h264
