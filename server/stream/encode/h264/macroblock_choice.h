@@ -28,16 +28,25 @@ class MacroblockChoice {
   [[nodiscard]] const MacroblockPixels& choose(const MacroblockPixels& source, const std::optional<KnownMotion>& motion,
                                                int quantiser, int column, int row, CodedMacroblock& to);
 
+  /// The vector that the last chosen macroblock has if it is skipped.
+  [[nodiscard]] const MotionVector& skipped() const { return skipped_; }
+
  private:
   /// The macroblock at hand.
   struct Target {
     const MacroblockPixels& source;
     int column;
     int row;
-    int bitCost;  ///< in units of the sum of absolute differences
+    int bitCost;                 ///< in units of the sum of absolute differences
+    MotionVector expected = {};  ///< its vector is written as the difference from this
   };
   void chooseInter(const Target& target, const std::optional<KnownMotion>& motion);
+  /// Predicts luma, and keeps the prediction if it costs less than the best so far.
   void tryVectors(const Target& target, const KnownMotion& vectors, int bits);
+  void tryVector(const Target& target, const MotionVector& vector);
+  /// Moves the best vectors to where the prediction's gradients point.
+  void takeStep(const Target& target);
+  void tryQuarters(const Target& target, const KnownMotion& motion, const MotionVector& mean);
   void tryNeighbours(const Target& target);
   void chooseIntra(const Target& target);
   [[nodiscard]] bool isWithinReach(const MotionVector& vector, int column, int row) const;
@@ -55,6 +64,7 @@ class MacroblockChoice {
   int cost_ = 0;
   bool intra_ = false;
   KnownMotion vectors_{};
+  MotionVector skipped_;
   IntraMode mode_ = IntraMode::kMean;
 };
 

@@ -10,6 +10,11 @@ namespace {
 template <int kSide>
 void readSquare(const std::uint8_t* plane, int width, int height, int left, int top, std::uint8_t* to) {
   const int columns = std::min(kSide, width - left);
+  if (columns == kSide && top + kSide <= height) {
+    const std::uint8_t* from = plane + std::ptrdiff_t{top} * width + left;
+    for (int y = 0; y < kSide; ++y, from += width) std::memcpy(to + y * MacroblockPixels::kStride, from, kSide);
+    return;
+  }
   for (int y = 0; y < kSide; ++y) {
     const std::uint8_t* const from = plane + std::ptrdiff_t{std::min(top + y, height - 1)} * width + left;
     std::uint8_t* const row = to + y * MacroblockPixels::kStride;

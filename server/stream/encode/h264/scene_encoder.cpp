@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "stream/encode/h264/deblocking/deblocking.h"
-#include "stream/encode/h264/prediction/vector_prediction.h"
 #include "stream/encode/h264/residual/residual_coding.h"
 #include "stream/protocol/protocol.h"
 
@@ -79,7 +78,7 @@ void SceneEncoder::encodeRow(const raster::YuvImage& picture, const EncodeOrder&
     const MacroblockPixels& prediction =
         choice.choose(source, motionOf(order, column, row), quantiser, column, row, coded);
     quantiseResidual(source, prediction, quantisations_, quantiser, coded);
-    if (canSkip(coded, skippedVector(grid_, column, row))) coded.kind = MacroblockKind::kSkipped;
+    if (canSkip(coded, choice.skipped())) coded.kind = MacroblockKind::kSkipped;
     slice.write(coded, quantiser, column, row);
     reconstruct(coded, prediction, quantisations_, quantiser, column, row, next_);
   }

@@ -22,7 +22,7 @@ class LumaBlock {
   HWY_INLINE LumaBlock(const std::uint8_t* from, std::ptrdiff_t stride, std::uint8_t* to)
       : from_(from), stride_(stride), to_(to) {}
 
-  /// `x` and `y`: quarters of a pixel. Names as in figure 8-4.
+  /// `x` and `y`: quarters of a pixel.
   HWY_INLINE void predict(int x, int y) const {
     const std::ptrdiff_t right = x == 3 ? 1 : 0;
     const std::ptrdiff_t below = y == 3 ? stride_ : 0;
@@ -33,11 +33,11 @@ class LumaBlock {
     } else if (y == 0) {
       each([&](std::ptrdiff_t at) { return mean(across(at), whole(at + right)); });
     } else if (x == 0 && y == 2) {
-      each([&](std::ptrdiff_t at) { return down(at); });
+      eachDown(0, [](std::ptrdiff_t, ByteVec down) { return down; });
     } else if (x == 0) {
-      each([&](std::ptrdiff_t at) { return mean(down(at), whole(at + below)); });
+      eachDown(0, [&](std::ptrdiff_t at, ByteVec down) { return mean(down, whole(at + below)); });
     } else if (x != 2 && y != 2) {
-      each([&](std::ptrdiff_t at) { return mean(across(at + below), down(at + right)); });
+      eachDown(right, [&](std::ptrdiff_t at, ByteVec down) { return mean(across(at + below), down); });
     } else {
       predictMiddle(x, y);
     }
@@ -57,23 +57,40 @@ class LumaBlock {
       for (int x = 0; x < kSide; x += kLanes) hn::StoreU(get(y * stride_ + x), Bytes(), to_ + y * kTo + x);
     }
   }
+  /// `get` also gets the pixels filtered down the column that is `right` of it.
+  template <class Get>
+  HWY_INLINE void eachDown(std::ptrdiff_t right, const Get& get) const {
+    for (int x = 0; x < kSide; x += kLanes) {
+      const auto row = [&](int y) { return word(y * stride_ + x + right); };
+      Vec a = row(-2), b = row(-1), c = row(0), d = row(1), e = row(2);
+      for (int y = 0; y < kSide; ++y) {
+        const Vec f = row(y + 3);
+        const ByteVec down = rounded(taps(hn::Add(a, f), hn::Add(b, e), hn::Add(c, d)));
+        hn::StoreU(get(y * stride_ + x, down), Bytes(), to_ + y * kTo + x);
+        a = b;
+        b = c;
+        c = d;
+        d = e;
+        e = f;
+      }
+    }
+  }
   HWY_INLINE ByteVec whole(std::ptrdiff_t at) const { return hn::LoadU(Bytes(), from_ + at); }
   HWY_INLINE Vec word(std::ptrdiff_t at) const { return hn::PromoteTo(Words(), whole(at)); }
   static HWY_INLINE ByteVec mean(ByteVec a, ByteVec b) { return hn::AverageRound(a, b); }
 
-  /// The filter (1, -5, 20, 20, -5, 1) across pixels that are `step` apart.
-  HWY_INLINE Vec filtered(std::ptrdiff_t at, std::ptrdiff_t step) const {
-    const Words words;
-    const Vec outer = hn::Add(word(at - 2 * step), word(at + 3 * step));
-    const Vec middle = hn::Add(word(at - step), word(at + 2 * step));
-    const Vec inner = hn::Add(word(at), word(at + step));
-    return hn::Add(outer, hn::Mul(hn::Set(words, 5), hn::Sub(hn::ShiftLeft<2>(inner), middle)));
+  /// The filter (1, -5, 20, 20, -5, 1) from the sums of its outer, middle and inner pixels.
+  static HWY_INLINE Vec taps(Vec outer, Vec middle, Vec inner) {
+    return hn::Add(outer, hn::Mul(hn::Set(Words(), 5), hn::Sub(hn::ShiftLeft<2>(inner), middle)));
+  }
+  HWY_INLINE Vec filteredAcross(std::ptrdiff_t at) const {
+    return taps(hn::Add(word(at - 2), word(at + 3)), hn::Add(word(at - 1), word(at + 2)),
+                hn::Add(word(at), word(at + 1)));
   }
   static HWY_INLINE ByteVec rounded(Vec sum) {
     return hn::DemoteTo(Bytes(), hn::ShiftRight<5>(hn::Add(sum, hn::Set(Words(), 16))));
   }
-  HWY_INLINE ByteVec across(std::ptrdiff_t at) const { return rounded(filtered(at, 1)); }
-  HWY_INLINE ByteVec down(std::ptrdiff_t at) const { return rounded(filtered(at, stride_)); }
+  HWY_INLINE ByteVec across(std::ptrdiff_t at) const { return rounded(filteredAcross(at)); }
 
   /// The filter down rows that were filtered across, divided by 1024. Sums are divided by four twice so that they fit
   /// into 16 bits; where one saturates, the result is beyond a byte's range anyway.
@@ -94,7 +111,7 @@ class LumaBlock {
     HWY_ALIGN std::int16_t rows[(kSide + kTaps - 1) * kSide];
     for (int line = 0; line < kSide + kTaps - 1; ++line) {
       for (int i = 0; i < kSide; i += kLanes) {
-        hn::Store(filtered((line - 2) * stride_ + i, 1), words, rows + line * kSide + i);
+        hn::Store(filteredAcross((line - 2) * stride_ + i), words, rows + line * kSide + i);
       }
     }
     const auto middle = [&](const auto& other) {
@@ -112,8 +129,8 @@ class LumaBlock {
         return mean(value, rounded(hn::Load(words, rows + (line + first) * kSide + i)));
       });
     } else {
-      const std::ptrdiff_t right = x == 3 ? 1 : 0;
-      middle([&](ByteVec value, int line, int i) { return mean(value, down(line * stride_ + i + right)); });
+      eachDown(x == 3 ? 1 : 0, [&](std::ptrdiff_t, ByteVec down) { return down; });
+      middle([&](ByteVec value, int line, int i) { return mean(value, hn::LoadU(Bytes(), to_ + line * kTo + i)); });
     }
   }
 

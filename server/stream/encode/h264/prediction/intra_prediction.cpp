@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <numeric>
 
 namespace grove::stream::h264 {
 namespace {
@@ -23,18 +25,19 @@ struct Frame {
   }
 };
 
-template <int kSide, class Value>
-void fill(std::uint8_t* to, const Value& value) {
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) to[y * kStride + x] = static_cast<std::uint8_t>(value(x, y));
-  }
+template <int kSide>
+void fill(std::uint8_t* to, int value) {
+  for (int y = 0; y < kSide; ++y) std::memset(to + y * kStride, value, kSide);
 }
 
-/// Sum of some of a line of pixels next to a square.
-template <class Line>
-int sumOf(const Line& line, int first, int count) {
+int sumAbove(const BorderedPlane& plane, int x, int y, int count) {
+  const std::uint8_t* const above = plane.at(x, y - 1);
+  return std::accumulate(above, above + count, 0);
+}
+
+int sumLeft(const BorderedPlane& plane, int x, int y, int count) {
   int sum = 0;
-  for (int i = first; i < first + count; ++i) sum += line[static_cast<std::size_t>(i + 1)];
+  for (int i = 0; i < count; ++i) sum += *plane.at(x - 1, y + i);
   return sum;
 }
 
@@ -53,42 +56,54 @@ void predictPlane(const Frame<kSide>& frame, std::uint8_t* to) {
   const int middle = 16 * (frame.left.back() + frame.above.back());
   const int across = slope(frame.above);
   const int down = slope(frame.left);
-  fill<kSide>(to, [&](int x, int y) {
-    return std::clamp((middle + across * (x - kHalf + 1) + down * (y - kHalf + 1) + 16) >> 5, 0, 255);
-  });
+  for (int y = 0; y < kSide; ++y) {
+    const int first = middle + across * (1 - kHalf) + down * (y - kHalf + 1) + 16;
+    for (int x = 0; x < kSide; ++x) {
+      to[y * kStride + x] = static_cast<std::uint8_t>(std::clamp((first + across * x) >> 5, 0, 255));
+    }
+  }
+}
+
+/// Repeats the pixels above the square, or those on its left.
+template <int kSide>
+void predictLines(const BorderedPlane& plane, int column, int row, bool above, std::uint8_t* to) {
+  for (int y = 0; y < kSide; ++y) {
+    std::uint8_t* const line = to + y * kStride;
+    if (above) {
+      std::memcpy(line, plane.at(column * kSide, row * kSide - 1), kSide);
+    } else {
+      std::memset(line, *plane.at(column * kSide - 1, row * kSide + y), kSide);
+    }
+  }
 }
 
 template <int kSide>
-void predictLines(const Frame<kSide>& frame, IntraMode mode, std::uint8_t* to) {
-  if (mode == IntraMode::kPlane) return predictPlane(frame, to);
-  const bool isVertical = mode == IntraMode::kVertical;
-  fill<kSide>(to, [&](int x, int y) {
-    return isVertical ? frame.above[static_cast<std::size_t>(x + 1)] : frame.left[static_cast<std::size_t>(y + 1)];
-  });
+void predictSquare(const BorderedPlane& plane, int column, int row, IntraMode mode, std::uint8_t* to) {
+  if (mode == IntraMode::kPlane) return predictPlane(Frame<kSide>(plane, column, row), to);
+  predictLines<kSide>(plane, column, row, mode == IntraMode::kVertical, to);
 }
 
 constexpr int kUnknown = 128;
 
-void predictLumaMean(const Frame<16>& frame, int column, int row, std::uint8_t* to) {
-  const int left = column > 0 ? sumOf(frame.left, 0, 16) : 0;
-  const int above = row > 0 ? sumOf(frame.above, 0, 16) : 0;
+void predictLumaMean(const BorderedPlane& plane, int column, int row, std::uint8_t* to) {
+  const int left = column > 0 ? sumLeft(plane, column * 16, row * 16, 16) : 0;
+  const int above = row > 0 ? sumAbove(plane, column * 16, row * 16, 16) : 0;
   int mean = kUnknown;
   if (column > 0 && row > 0) {
     mean = (left + above + 16) >> 5;
   } else if (column > 0 || row > 0) {
     mean = (left + above + 8) >> 4;
   }
-  fill<16>(to, [&](int, int) { return mean; });
+  fill<16>(to, mean);
 }
 
 /// Each 4 x 4 block has its own mean; those beside the diagonal use the line that is next to them.
-void predictChromaMeans(const Frame<8>& frame, int column, int row, std::uint8_t* to) {
-  std::array<int, 4> means{};
+void predictChromaMeans(const BorderedPlane& plane, int column, int row, std::uint8_t* to) {
   for (int i = 0; i < 4; ++i) {
     const int x = i % 2 * 4;
     const int y = i / 2 * 4;
-    const int left = sumOf(frame.left, y, 4);
-    const int above = sumOf(frame.above, x, 4);
+    const int left = sumLeft(plane, column * 8, row * 8 + y, 4);
+    const int above = sumAbove(plane, column * 8 + x, row * 8, 4);
     const bool prefersAbove = i == 1;
     const bool prefersLeft = i == 2;
     int mean = kUnknown;
@@ -99,9 +114,8 @@ void predictChromaMeans(const Frame<8>& frame, int column, int row, std::uint8_t
     } else if (column > 0) {
       mean = (left + 2) >> 2;
     }
-    means[static_cast<std::size_t>(i)] = mean;
+    fill<4>(to + y * kStride + x, mean);
   }
-  fill<8>(to, [&](int x, int y) { return means[static_cast<std::size_t>(y / 4 * 2 + x / 4)]; });
 }
 
 }  // namespace
@@ -121,19 +135,22 @@ bool isPossible(IntraMode mode, int column, int row) {
 }
 
 void predictIntraLuma(const ReferencePicture& picture, int column, int row, IntraMode mode, MacroblockPixels& to) {
-  const Frame<16> frame(picture.plane(0), column, row);
-  if (mode == IntraMode::kMean) return predictLumaMean(frame, column, row, to.luma.data());
-  predictLines(frame, mode, to.luma.data());
+  const BorderedPlane& plane = picture.plane(0);
+  if (mode == IntraMode::kMean) {
+    predictLumaMean(plane, column, row, to.luma.data());
+  } else {
+    predictSquare<16>(plane, column, row, mode, to.luma.data());
+  }
 }
 
 void predictIntraChroma(const ReferencePicture& picture, int column, int row, IntraMode mode, MacroblockPixels& to) {
   for (std::size_t i = 1; i < 3; ++i) {
-    const Frame<8> frame(picture.plane(i), column, row);
+    const BorderedPlane& plane = picture.plane(i);
     std::uint8_t* const place = to.chroma.data() + (i == 1 ? 0 : 8);
     if (mode == IntraMode::kMean) {
-      predictChromaMeans(frame, column, row, place);
+      predictChromaMeans(plane, column, row, place);
     } else {
-      predictLines(frame, mode, place);
+      predictSquare<8>(plane, column, row, mode, place);
     }
   }
 }

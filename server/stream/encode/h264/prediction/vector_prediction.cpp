@@ -33,7 +33,7 @@ std::int16_t median(std::int16_t a, std::int16_t b, std::int16_t c) {
   return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
-MotionVector expected(const Neighbours& of) {
+MotionVector expectedFrom(const Neighbours& of) {
   if (!of.b.known && !of.c.known && of.a.known) return of.a.vector;
   const int count = (of.a.inter ? 1 : 0) + (of.b.inter ? 1 : 0) + (of.c.inter ? 1 : 0);
   if (count == 1) return of.a.inter ? of.a.vector : of.b.inter ? of.b.vector : of.c.vector;
@@ -50,7 +50,7 @@ Neighbours around(const MacroblockGrid& grid, int column, int row) {
 }  // namespace
 
 MotionVector expectedVector(const MacroblockGrid& grid, int column, int row) {
-  return expected(around(grid, column, row));
+  return expectedFrom(around(grid, column, row));
 }
 
 MotionVector expectedVector(const MacroblockGrid& grid, int column, int row, int block,
@@ -68,14 +68,15 @@ MotionVector expectedVector(const MacroblockGrid& grid, int column, int row, int
   };
   Neighbours found{at(-1, 0), at(0, -1), at(1, -1)};
   if (!found.c.known) found.c = at(-1, -1);
-  return expected(found);
+  return expectedFrom(found);
 }
 
-MotionVector skippedVector(const MacroblockGrid& grid, int column, int row) {
-  const Neighbours of = around(grid, column, row);
+MotionVector skippedVector(const MacroblockGrid& grid, int column, int row, const MotionVector& expected) {
+  const Neighbour a = earlier(grid, column, row, 2 * column - 1, 2 * row);
+  const Neighbour b = earlier(grid, column, row, 2 * column, 2 * row - 1);
   const auto rests = [](const Neighbour& each) { return each.inter && each.vector == MotionVector{}; };
-  if (!of.a.known || !of.b.known || rests(of.a) || rests(of.b)) return {};
-  return expected(of);
+  if (!a.known || !b.known || rests(a) || rests(b)) return {};
+  return expected;
 }
 
 }  // namespace grove::stream::h264

@@ -16,7 +16,7 @@ namespace grove::stream::h264 {
 [[nodiscard]] MotionVector expectedVector(const MacroblockGrid& grid, int column, int row, int block,
                                           const std::array<MotionVector, 4>& vectors);
 
-/// The vector of a skipped macroblock.
-[[nodiscard]] MotionVector skippedVector(const MacroblockGrid& grid, int column, int row);
+/// The vector of a skipped macroblock. `expected`: that of a whole one.
+[[nodiscard]] MotionVector skippedVector(const MacroblockGrid& grid, int column, int row, const MotionVector& expected);
 
 }  // namespace grove::stream::h264

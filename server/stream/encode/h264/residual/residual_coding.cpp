@@ -13,21 +13,33 @@ namespace {
 /// Bits of a Residual's lumaBlocks in each 8 x 8 block.
 constexpr std::array<std::uint32_t, 4> kLumaQuarters{0x0033, 0x00CC, 0x3300, 0xCC00};
 
+/// From this worth on, more makes no difference.
+constexpr int kMuch = 9;
+
 /// How much a block's coefficients are worth: lone ones of level 1 count little, the less the higher their frequency.
 int worth(const Block& block) {
-  constexpr int kMuch = 9;
   constexpr std::array<int, 16> kByRun{3, 2, 2, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  const auto isLarge = [](std::int16_t level) { return static_cast<std::uint16_t>(level + 1) > 2; };
+  if (std::ranges::count_if(block, isLarge) > 0) return kMuch;
   int sum = 0;
   std::size_t run = 0;
   for (const std::uint8_t place : kScan) {
-    const int level = block[place];
-    if (level == 0) {
+    if (block[place] == 0) {
       ++run;
       continue;
     }
-    if (std::abs(level) > 1) return kMuch;
     sum += kByRun[run];
     run = 0;
+  }
+  return sum;
+}
+
+/// Of the blocks whose bits are set.
+template <std::size_t kCount>
+int worth(std::uint32_t bits, const std::array<Block, kCount>& blocks) {
+  int sum = 0;
+  for (std::uint32_t left = bits; left != 0 && sum < kMuch; left &= left - 1) {
+    sum += worth(blocks[static_cast<std::size_t>(std::countr_zero(left))]);
   }
   return sum;
 }
@@ -37,10 +49,7 @@ void dropLoneLuma(Residual& residual) {
   constexpr int kWorth = 6;
   int sum = 0;
   for (const std::uint32_t quarter : kLumaQuarters) {
-    int ofQuarter = 0;
-    for (std::uint32_t left = residual.lumaBlocks & quarter; left != 0; left &= left - 1) {
-      ofQuarter += worth(residual.luma[static_cast<std::size_t>(std::countr_zero(left))]);
-    }
+    const int ofQuarter = worth(residual.lumaBlocks & quarter, residual.luma);
     if (ofQuarter < kQuarterWorth) {
       residual.lumaBlocks &= ~quarter;
     } else {
@@ -53,11 +62,7 @@ void dropLoneLuma(Residual& residual) {
 void dropLoneChroma(Residual& residual) {
   constexpr int kWorth = 7;
   for (const std::uint32_t plane : {0x0FU, 0xF0U}) {
-    int sum = 0;
-    for (std::uint32_t left = residual.chromaBlocks & plane; left != 0; left &= left - 1) {
-      sum += worth(residual.chroma[static_cast<std::size_t>(std::countr_zero(left))]);
-    }
-    if (sum < kWorth) residual.chromaBlocks &= ~plane;
+    if (worth(residual.chromaBlocks & plane, residual.chroma) < kWorth) residual.chromaBlocks &= ~plane;
   }
 }
 
@@ -125,7 +130,11 @@ std::array<int, 4> hadamard4(const Values& of) {
 bool quantiseChromaDc(const Quantisation& by, CodedMacroblock& to) {
   bool any = false;
   for (std::size_t plane = 0; plane < 2; ++plane) {
-    const auto values = hadamard4(to.residual.chromaDc.data() + 4 * plane);
+    const std::int16_t* const dc = to.residual.chromaDc.data() + 4 * plane;
+    to.chromaDcLevels[plane] = {};
+    // No sum or difference is greater than this one.
+    if (quantisedDc(std::abs(dc[0]) + std::abs(dc[1]) + std::abs(dc[2]) + std::abs(dc[3]), by) == 0) continue;
+    const auto values = hadamard4(dc);
     for (std::size_t i = 0; i < 4; ++i) {
       to.chromaDcLevels[plane][i] = quantisedDc(values[i], by);
       any = any || to.chromaDcLevels[plane][i] != 0;
