@@ -109,6 +109,8 @@ void BenchCommands::addEncode() {
       bench_->add_subcommand("encode", "Measure CPU, bits and quality of the codecs on a walk through the grove");
   addWalk(encode, options.walk, options.seconds);
   addSize(encode, options.size);
+  encode->add_option("--keep", options.keep,
+                     "Measure the walk at fixed quantisers only; keep its frames and streams in this folder");
   encode->add_flag("--json", options.json, "Print one JSON document");
 }
 

@@ -139,6 +139,10 @@ TEST(CommandLine, FailuresExitOneWithOneLine) {
   EXPECT_EQ(trace.exit, 1);
   EXPECT_THAT(trace.output, HasSubstr("no/such/dir/trace.json"));
   EXPECT_EQ(lines(trace.output), 1) << trace.output;
+  const Outcome keep = grove("bench encode --keep no/such/dir");
+  EXPECT_EQ(keep.exit, 1);
+  EXPECT_THAT(keep.output, HasSubstr("no/such/dir/frames.y4m"));
+  EXPECT_EQ(lines(keep.output), 1) << keep.output;
 
   const Outcome nobody = grove("load ws://127.0.0.1:1/ --sessions 1 --seconds 1");
   EXPECT_EQ(nobody.exit, 1);

@@ -8,7 +8,7 @@
 namespace grove::node {
 
 /// How near the surfaces of a frame are: 1 / view depth in its camera, 1 / metres, of each cell of 8 x 8 pixels, row by
-/// row; 0 if infinitely far. So whoever knows another frame's camera can find the same surfaces there.
+/// row; 0 if infinitely far. With another frame's camera, the same surfaces can be found there.
 /// Several threads may write different cells at once; immutable once it is in a FinishedFrame.
 class CellNearness {
  public:

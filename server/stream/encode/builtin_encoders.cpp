@@ -11,10 +11,12 @@ EncoderRegistry builtinEncoders(int jpegQuality) {
   EncoderRegistry registry;
   registry.add({kCodecJpeg, false, "libjpeg-turbo", "libjpeg-turbo " GROVE_TURBOJPEG_VERSION,
                 [jpegQuality] { return std::make_unique<JpegEncoder>(jpegQuality); }});
-  registry.add({kCodecH264, true, "grove", "Grove " + std::string(version()),
-                [] { return std::make_unique<h264::SceneEncoder>(); }});
   registry.add(
       {kCodecH264, true, "openh264", "OpenH264 " + openH264Version(), [] { return std::make_unique<H264Encoder>(); }});
+#if GROVE_SCENE_ENCODER
+  registry.add({kCodecH264, true, "grove", "Grove " + std::string(version()),
+                [] { return std::make_unique<h264::SceneEncoder>(); }});
+#endif
   return registry;
 }
 

@@ -1,6 +1,7 @@
 #include "cli/bench/encode/encode_trial.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "base/checksum.h"
@@ -96,6 +97,7 @@ class Visitor {
     trial.pictures = times_.size();
     trial.quantiser = quantisers_ / static_cast<double>(times_.size());
     trial.cpuMilliseconds = median(times_);
+    trial.meanMilliseconds = std::accumulate(times_.begin(), times_.end(), 0.0) / static_cast<double>(times_.size());
     trial.p99Milliseconds = measure::percentile(times_, 0.99);
     trial.kilobitsPerSecond = 8e-3 * static_cast<double>(sent_) * kWalkFramesPerSecond / frames_;
   }
@@ -119,7 +121,8 @@ class Visitor {
 }  // namespace
 
 EncodeTrial tryEncoder(const stream::EncoderRegistry& encoders, const stream::EncoderKind& kind,
-                       const EncodeSetting& setting, KeptFrames& frames, const std::stop_token& stop) {
+                       const EncodeSetting& setting, KeptFrames& frames, const std::stop_token& stop,
+                       const std::function<void(std::span<const std::uint8_t>)>& keep) {
   EncodeTrial trial{.codec = codecName(kind.codec), .encoder = kind.name, .setting = setting};
   trial.minSsim = 1.0;
   Visitor visitor(encoders, kind, setting, frames.width(), frames.height());
@@ -127,7 +130,10 @@ EncodeTrial tryEncoder(const stream::EncoderRegistry& encoders, const stream::En
   std::size_t compared = 0;
   for (std::size_t i = 0; i < frames.count() && (i == 0 || !stop.stop_requested()); ++i) {
     const node::FinishedFrame frame = frames.read(i);
-    if (const auto picture = visitor.send(frame); !picture.empty()) screen.show(picture);
+    if (const auto picture = visitor.send(frame); !picture.empty()) {
+      screen.show(picture);
+      if (keep) keep(picture);
+    }
     if (i % kFramesPerComparison != 0) continue;
     const double ssim = screen.likeness(*frame.picture);
     trial.ssim += ssim;

@@ -35,7 +35,6 @@ bool transferAll(const Transfer& transfer, int descriptor, Bytes* bytes, std::si
 KeptFrames::KeptFrames(int width, int height) {
   raster::ImagePool images;
   picture_ = raster::acquireYuv(images, {0, 0, width, height});
-  nearness_ = std::make_shared<node::CellNearness>(width, height, images);
   std::string path = (std::filesystem::temp_directory_path() / "grove-frames-XXXXXX").string();
   const int descriptor = ::mkstemp(path.data());
   if (descriptor < 0) fail("cannot make a file for frames");
@@ -45,32 +44,21 @@ KeptFrames::KeptFrames(int width, int height) {
 }
 
 void KeptFrames::add(const node::FinishedFrame& frame) {
-  assert(frame.picture->rect == picture_->rect && frame.nearness != nullptr);
+  assert(frame.picture->rect == picture_->rect);
   const auto picture = std::as_bytes(std::span(frame.picture->bytes));
-  const auto nearness = std::as_bytes(frame.nearness->cells());
-  const std::size_t place = placeOf(count());
-  const int file = ::fileno(file_.get());
-  if (!transferAll(::pwrite, file, picture.data(), picture.size(), place) ||
-      !transferAll(::pwrite, file, nearness.data(), nearness.size(), place + picture.size())) {
+  if (!transferAll(::pwrite, ::fileno(file_.get()), picture.data(), picture.size(), count() * picture.size())) {
     fail("cannot write a frame");
   }
   views_.push_back(frame.view);
+  nearness_.push_back(frame.nearness);
 }
 
 node::FinishedFrame KeptFrames::read(std::size_t index) {
   const auto picture = std::as_writable_bytes(std::span(picture_->bytes));
-  const auto nearness = std::as_writable_bytes(nearness_->cells());
-  const std::size_t place = placeOf(index);
-  const int file = ::fileno(file_.get());
-  if (!transferAll(::pread, file, picture.data(), picture.size(), place) ||
-      !transferAll(::pread, file, nearness.data(), nearness.size(), place + picture.size())) {
+  if (!transferAll(::pread, ::fileno(file_.get()), picture.data(), picture.size(), index * picture.size())) {
     fail("cannot read a frame");
   }
-  return {.view = views_[index], .picture = picture_, .nearness = nearness_};
-}
-
-std::size_t KeptFrames::placeOf(std::size_t index) const {
-  return index * (picture_->bytes.size() + nearness_->cells().size_bytes());
+  return {.view = views_[index], .picture = picture_, .nearness = nearness_[index]};
 }
 
 }  // namespace grove::cli

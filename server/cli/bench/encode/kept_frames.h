@@ -10,7 +10,7 @@
 
 namespace grove::cli {
 
-/// The frames that one visitor saw, 1.5 MB each for 1280 x 720 pixels, in an unlinked temporary file. Not thread-safe.
+/// The frames that one visitor saw, 1.4 MB each for 1280 x 720 pixels, in an unlinked temporary file. Not thread-safe.
 class KeptFrames {
  public:
   /// Throws EnvironmentError if there is no room for a temporary file.
@@ -22,7 +22,7 @@ class KeptFrames {
   [[nodiscard]] std::size_t count() const noexcept { return views_.size(); }
   [[nodiscard]] int width() const noexcept { return picture_->width(); }
   [[nodiscard]] int height() const noexcept { return picture_->height(); }
-  /// Reads a frame, without its labels. The next call overwrites its picture and nearness. Throws EnvironmentError if
+  /// Reads a frame, without its labels. The next call overwrites its picture. Throws EnvironmentError if
   /// it cannot be read.
   [[nodiscard]] node::FinishedFrame read(std::size_t index);
 
@@ -30,13 +30,10 @@ class KeptFrames {
   struct Closer {
     void operator()(std::FILE* file) const noexcept { static_cast<void>(std::fclose(file)); }
   };
-  /// Where a frame begins in the file.
-  [[nodiscard]] std::size_t placeOf(std::size_t index) const;
-
   std::unique_ptr<std::FILE, Closer> file_;
   std::vector<std::shared_ptr<const node::View>> views_;
   std::shared_ptr<raster::YuvImage> picture_;
-  std::shared_ptr<node::CellNearness> nearness_;
+  std::vector<std::shared_ptr<const node::CellNearness>> nearness_;
 };
 
 }  // namespace grove::cli

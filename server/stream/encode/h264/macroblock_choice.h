@@ -32,7 +32,7 @@ class MacroblockChoice {
   [[nodiscard]] const MotionVector& skipped() const { return skipped_; }
 
  private:
-  /// The macroblock at hand.
+  /// The macroblock that is encoded.
   struct Target {
     const MacroblockPixels& source;
     int column;
@@ -56,10 +56,10 @@ class MacroblockChoice {
     cost_ = cost;
   }
 
+  std::array<MacroblockPixels, 2> predictions_{};
   const ReferencePicture* reference_;
   const ReferencePicture& picture_;
   const MacroblockGrid& grid_;
-  std::array<MacroblockPixels, 2> predictions_{};
   std::size_t best_ = 0;
   int cost_ = 0;
   bool intra_ = false;

@@ -92,7 +92,8 @@ std::optional<KnownMotion> SceneEncoder::motionOf(const EncodeOrder& order, int 
   for (int i = 0; i < 4; ++i) {
     const int x = std::min(2 * column + i % 2, across - 1);
     const int y = std::min(2 * row + i / 2, down - 1);
-    motion[static_cast<std::size_t>(i)] = order.motion[static_cast<std::size_t>(y * across + x)];
+    const int cell = y * across + x;
+    motion[static_cast<std::size_t>(i)] = order.motion[static_cast<std::size_t>(cell)];
   }
   return motion;
 }

@@ -34,7 +34,8 @@ Context contextOf(const MacroblockGrid& grid, int column, int row, std::size_t b
   const int x = static_cast<int>(block) % kSide;
   const int y = static_cast<int>(block) / kSide;
   const auto count = [&](int ofColumn, int ofRow, int blockX, int blockY) {
-    return int{counts(grid.at(ofColumn, ofRow))[static_cast<std::size_t>(blockY * kSide + blockX)]};
+    const int index = blockY * kSide + blockX;
+    return int{counts(grid.at(ofColumn, ofRow))[static_cast<std::size_t>(index)]};
   };
   const bool hasLeft = x > 0 || column > 0;
   const bool hasAbove = y > 0 || row > 0;

@@ -51,7 +51,7 @@ HWY_INLINE MeansOf4 meansOf4(ByteVec a, ByteVec b, ByteVec c, ByteVec d) {
   const auto roundedUp = hn::Or(hn::Xor(a, b), hn::Xor(c, d));
   const auto odd = hn::Xor(ab, cd);
   const auto rounded = hn::Sub(hn::AverageRound(ab, cd), hn::And(hn::And(odd, roundedUp), every(1)));
-  // The sum's bit 1 tells whether rounding increased the mean.
+  // The sum's bit 1 shows whether rounding increased the mean.
   return {rounded, hn::Sub(rounded, hn::And(hn::Xor(odd, roundedUp), every(1)))};
 }
 

@@ -79,7 +79,7 @@ class LumaBlock {
   HWY_INLINE Vec word(std::ptrdiff_t at) const { return hn::PromoteTo(Words(), whole(at)); }
   static HWY_INLINE ByteVec mean(ByteVec a, ByteVec b) { return hn::AverageRound(a, b); }
 
-  /// The filter (1, -5, 20, 20, -5, 1) from the sums of its outer, middle and inner pixels.
+  /// The filter of six taps, 1, -5 and 20 and back, from the sums of its outer, middle and inner pixels.
   static HWY_INLINE Vec taps(Vec outer, Vec middle, Vec inner) {
     return hn::Add(outer, hn::Mul(hn::Set(Words(), 5), hn::Sub(hn::ShiftLeft<2>(inner), middle)));
   }

@@ -49,7 +49,9 @@ void predictPlane(const Frame<kSide>& frame, std::uint8_t* to) {
   const auto slope = [](const auto& line) {
     int sum = 0;
     for (int i = 1; i <= kHalf; ++i) {
-      sum += i * (line[static_cast<std::size_t>(kHalf + i)] - line[static_cast<std::size_t>(kHalf - i)]);
+      const int after = kHalf + i;
+      const int before = kHalf - i;
+      sum += i * (line[static_cast<std::size_t>(after)] - line[static_cast<std::size_t>(before)]);
     }
     return (kFactor * sum + 32) >> 6;
   };
