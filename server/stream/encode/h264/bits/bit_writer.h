@@ -28,14 +28,14 @@ class BitWriter {
     store(static_cast<std::uint32_t>(pending_ >> count_), 4);
   }
 
-  /// ue(v): Exp-Golomb.
+  /// Exp-Golomb, unsigned.
   void putUnsigned(std::uint32_t value) {
     const int length = std::bit_width(value + 1);
     put(0, length - 1);
     put(value + 1, length);
   }
 
-  /// se(v).
+  /// Exp-Golomb, signed.
   void putSigned(int value) {
     putUnsigned(value > 0 ? 2 * static_cast<std::uint32_t>(value) - 1 : 2 * static_cast<std::uint32_t>(-value));
   }
@@ -70,7 +70,7 @@ class BitWriter {
   int count_ = 0;  ///< bits of `pending_` that are not in `bytes_`
 };
 
-/// Bits of se(v).
+/// Bits of a signed number.
 [[nodiscard]] constexpr int signedBits(int value) {
   const auto code = value > 0 ? 2 * static_cast<std::uint32_t>(value) : 2 * static_cast<std::uint32_t>(-value) + 1;
   return 2 * std::bit_width(code) - 1;
