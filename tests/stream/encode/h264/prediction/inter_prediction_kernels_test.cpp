@@ -13,6 +13,8 @@ namespace {
 constexpr int kReferenceAcross = 3;
 constexpr int kReferenceDown = 2;
 
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
 /// The standard's equations, pixel by pixel.
 class PlainPrediction {
  public:
@@ -108,21 +110,21 @@ void expectAsPlain(const ReferencePicture& picture, int column, int row, const s
   int differences = 0;
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 16; ++x) {
-      const MotionVector& vector = vectors[static_cast<std::size_t>(y / 8 * 2 + x / 8)];
+      const MotionVector& vector = vectors[index(y / 8 * 2 + x / 8)];
       const int expected =
           PlainPrediction(picture.plane(0)).luma(4 * (16 * column + x) + vector.x, 4 * (16 * row + y) + vector.y);
-      if (predicted.luma[static_cast<std::size_t>(16 * y + x)] != expected) ++differences;
+      if (predicted.luma[index(16 * y + x)] != expected) ++differences;
     }
   }
   EXPECT_EQ(differences, 0) << "luma, " << vectors[0].x << ", " << vectors[0].y;
   differences = 0;
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 16; ++x) {
-      const MotionVector& vector = vectors[static_cast<std::size_t>(y / 4 * 2 + x % 8 / 4)];
+      const MotionVector& vector = vectors[index(y / 4 * 2 + x % 8 / 4)];
       const BorderedPlane& plane = picture.plane(x < 8 ? 1 : 2);
       const int expected =
           PlainPrediction(plane).chroma(8 * (8 * column + x % 8) + vector.x, 8 * (8 * row + y) + vector.y);
-      if (predicted.chroma[static_cast<std::size_t>(16 * y + x)] != expected) ++differences;
+      if (predicted.chroma[index(16 * y + x)] != expected) ++differences;
     }
   }
   EXPECT_EQ(differences, 0) << "chroma, " << vectors[0].x << ", " << vectors[0].y;

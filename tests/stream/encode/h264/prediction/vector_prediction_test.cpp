@@ -10,8 +10,9 @@ namespace h264 {
 namespace {
 
 MacroblockGrid gridOf(int across, int down) {
+  const int count = across * down;
   MacroblockGrid grid{across, down, {}};
-  grid.macroblocks.resize(static_cast<std::size_t>(across * down), {.intra = true});
+  grid.macroblocks.resize(static_cast<std::size_t>(count), {.intra = true});
   return grid;
 }
 

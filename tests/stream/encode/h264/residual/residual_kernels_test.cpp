@@ -225,7 +225,8 @@ MacroblockPixels waves(double left, double up) {
   for (int y = 0; y < kMacroblock; ++y) {
     for (int x = 0; x < kMacroblock; ++x) {
       const double value = 128.0 + 50.0 * std::sin(0.5 * (x + left)) + 50.0 * std::cos(0.4 * (y + up));
-      pixels.luma[static_cast<std::size_t>(kMacroblock * y + x)] = static_cast<std::uint8_t>(std::lround(value));
+      const int at = kMacroblock * y + x;
+      pixels.luma[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(std::lround(value));
     }
   }
   return pixels;
