@@ -18,8 +18,8 @@ using Quantiser = double;
 struct EncodeOrder {
   Quantiser quantiser = 26.0;
   bool independent = false;  ///< must be decodable without earlier ones
-  /// From each 8 x 8 block of the picture, row by row, to the same content in the picture that was encoded last, as far
-  /// as the scene tells; blocks at the right and bottom may be smaller. Empty: unknown. Valid during the call.
+  /// One vector per block of 8 x 8 pixels, row by row, from the block to the same content in the last encoded picture.
+  /// Blocks at the right and bottom edges may be smaller. Empty if the motion is unknown. Valid during the call.
   std::span<const MotionVector> motion = {};
 };
 

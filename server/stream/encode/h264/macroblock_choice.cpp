@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "stream/encode/h264/bits/bit_writer.h"
+#include "stream/encode/h264/prediction/fit_kernels.h"
 #include "stream/encode/h264/prediction/inter_prediction_kernels.h"
 #include "stream/encode/h264/prediction/vector_prediction.h"
-#include "stream/encode/h264/residual/residual_kernels.h"
 
 namespace grove::stream::h264 {
 namespace {
@@ -167,11 +167,11 @@ void MacroblockChoice::chooseIntra(const Target& target) {
 
 bool MacroblockChoice::isWithinReach(const MotionVector& vector, int column, int row) const {
   constexpr int kBeyond = ReferencePicture::kBorder - 4;
-  constexpr int kMost = 511;  // pixels that every level permits
+  constexpr int kMaxPixels = 511;  // the limit of the lowest level
   const auto isWithin = [&](int quarters, int block, int blocks) {
     const int pixels = quarters >> 2;
     const int from = block * kMacroblock + pixels;
-    return std::abs(pixels) <= kMost && from >= -kBeyond && from + kMacroblock <= blocks * kMacroblock + kBeyond;
+    return std::abs(pixels) <= kMaxPixels && from >= -kBeyond && from + kMacroblock <= blocks * kMacroblock + kBeyond;
   };
   return isWithin(vector.x, column, grid_.across) && isWithin(vector.y, row, grid_.down);
 }

@@ -22,8 +22,8 @@ struct Code {
 // Tables of ITU-T H.264, section 9.2: codes of coefficients.
 
 /// coeff_token (table 9-5) by the number of coefficients and of trailing ones.
-template <std::size_t kMost>
-using TokenCodes = std::array<std::array<Code, 4>, kMost + 1>;
+template <std::size_t kMaxCoefficients>
+using TokenCodes = std::array<std::array<Code, 4>, kMaxCoefficients + 1>;
 
 /// By nC: 0 and 1, 2 and 3, 4 to 7. From 8 on, the code is a number of six bits.
 inline constexpr std::array<TokenCodes<16>, 3> kTokens{{

@@ -19,7 +19,7 @@ struct PictureSize {
   friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 
-/// Of all slices; quantisers are told relative to it.
+/// pic_init_qp; slice headers write the difference from it.
 inline constexpr int kFirstQuantiser = 26;
 /// frame_num counts modulo this.
 inline constexpr std::uint32_t kFrameNumbers = 256;

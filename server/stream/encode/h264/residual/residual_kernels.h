@@ -10,18 +10,6 @@ namespace grove::stream::h264 {
 
 // Kernels: transform and quantisation of a macroblock's residual (ITU-T H.264, section 8.5), and its restoration.
 
-/// Sum of absolute differences of luma.
-[[nodiscard]] int differenceOf(const MacroblockPixels& a, const MacroblockPixels& b);
-
-/// How far luma is to be moved, so that the prediction fits the source best: a least-squares step by the prediction's
-/// gradients, in pixels, to be added to the vector (B. Lucas and T. Kanade, IJCAI 1981). Zero where gradients do not
-/// tell.
-struct Offset {
-  float x;
-  float y;
-};
-[[nodiscard]] Offset offsetOf(const MacroblockPixels& source, const MacroblockPixels& prediction);
-
 /// Fills in what concerns luma. `withoutDc`: the quantised blocks have none (intra 16 x 16).
 void quantiseLuma(const MacroblockPixels& source, const MacroblockPixels& prediction, const Quantisation& quantisation,
                   bool withoutDc, Residual& to);
