@@ -31,10 +31,14 @@ void EdgeCoverage::add(world::Vec2 from, world::Vec2 to) {
   if (!(top < bottom)) return;
   const float slope = (to.x - from.x) / (to.y - from.y);
   const auto columnAt = [&](float y) { return from.x + (y - from.y) * slope; };
+  float upper = top;
+  float upperColumn = columnAt(top);
   for (int row = static_cast<int>(top); static_cast<float>(row) < bottom; ++row) {
-    const float upper = std::max(top, static_cast<float>(row));
     const float lower = std::min(bottom, static_cast<float>(row + 1));
-    addInRow(row, columnAt(upper), columnAt(lower), sign * (lower - upper));
+    const float lowerColumn = columnAt(lower);
+    addInRow(row, upperColumn, lowerColumn, sign * (lower - upper));
+    upper = lower;
+    upperColumn = lowerColumn;
   }
 }
 
@@ -45,6 +49,12 @@ void EdgeCoverage::addInRow(int row, float from, float to, float height) {
   if (!(left < width)) return;
   if (right <= 0.0F) {
     cells_.push_back({row, -1, height, 0.0F});
+    return;
+  }
+  // Most edges cross few rows in more than one column: the others need no division.
+  if (left >= 0.0F && right < width && static_cast<int>(left) == static_cast<int>(right)) {
+    const int column = static_cast<int>(left);
+    cells_.push_back({row, column, height, height * (static_cast<float>(column + 1) - 0.5F * (left + right))});
     return;
   }
   const float perColumn = right > left ? height / (right - left) : 0.0F;
@@ -64,22 +74,26 @@ void EdgeCoverage::addInRow(int row, float from, float to, float height) {
 
 const std::vector<CoveredPixels>& EdgeCoverage::partly() {
   partly_.clear();
-  sortByRows();
-  for (std::size_t row = 0; row + 1 < rowStarts_.size(); ++row) {
-    const std::span<Cell> cells(sorted_.data() + rowStarts_[row], rowStarts_[row + 1] - rowStarts_[row]);
-    std::ranges::sort(cells, {}, &Cell::column);
-    sweep(static_cast<int>(row), cells);
+  // Rows have few cells each, so that sorting all of them by columns first is cheaper than each row by itself.
+  sortBy([](const Cell& cell) { return cell.column + 1; }, rect_.width() + 1, cells_, sorted_);
+  sortBy([](const Cell& cell) { return cell.row; }, rect_.height(), sorted_, cells_);
+  const std::span<const Cell> cells(cells_);
+  for (std::size_t begin = 0; begin < cells.size();) {
+    std::size_t end = begin + 1;
+    while (end < cells.size() && cells[end].row == cells[begin].row) ++end;
+    sweep(cells[begin].row, cells.subspan(begin, end - begin));
+    begin = end;
   }
   return partly_;
 }
 
-void EdgeCoverage::sortByRows() {
-  rowStarts_.assign(static_cast<std::size_t>(rect_.height()) + 2, 0);
-  for (const Cell& cell : cells_) ++rowStarts_[static_cast<std::size_t>(cell.row) + 2];
-  for (std::size_t i = 2; i < rowStarts_.size(); ++i) rowStarts_[i] += rowStarts_[i - 1];
-  sorted_.resize(cells_.size());
-  for (const Cell& cell : cells_) sorted_[rowStarts_[static_cast<std::size_t>(cell.row) + 1]++] = cell;
-  rowStarts_.pop_back();
+template <class Key>
+void EdgeCoverage::sortBy(const Key& key, int keys, const std::vector<Cell>& from, std::vector<Cell>& to) {
+  starts_.assign(static_cast<std::size_t>(keys) + 1, 0);
+  for (const Cell& cell : from) ++starts_[static_cast<std::size_t>(key(cell)) + 1];
+  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+  to.resize(from.size());
+  for (const Cell& cell : from) to[starts_[static_cast<std::size_t>(key(cell))]++] = cell;
 }
 
 void EdgeCoverage::sweep(int row, std::span<const Cell> cells) {
@@ -100,6 +114,6 @@ void EdgeCoverage::report(int row, int begin, int end, float share) {
   if (begin < end && share > kNothing && share < 1.0F - kNothing) partly_.push_back({row, begin, end, share});
 }
 
-std::size_t EdgeCoverage::bytes() const noexcept { return pipeline::vectorBytes(cells_, sorted_, rowStarts_, partly_); }
+std::size_t EdgeCoverage::bytes() const noexcept { return pipeline::vectorBytes(cells_, sorted_, starts_, partly_); }
 
 }  // namespace grove::raster

@@ -43,14 +43,16 @@ class EdgeCoverage {
     float area;           ///< that they enclose within it, to their right
   };
   void addInRow(int row, float from, float to, float height);
-  void sortByRows();
+  /// Sorts cells by keys of 0 to before `keys`; those with equal keys keep their order.
+  template <class Key>
+  void sortBy(const Key& key, int keys, const std::vector<Cell>& from, std::vector<Cell>& to);
   void sweep(int row, std::span<const Cell> cells);
   void report(int row, int begin, int end, float share);
 
   world::Rect rect_;
   std::vector<Cell> cells_;
   std::vector<Cell> sorted_;
-  std::vector<std::size_t> rowStarts_;  ///< in `sorted_`, and its end
+  std::vector<std::uint32_t> starts_;  ///< of each key's cells
   std::vector<CoveredPixels> partly_;
 };
 

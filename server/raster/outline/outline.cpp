@@ -41,7 +41,7 @@ void Outline::find(const Drawing& drawing, const ScreenSurface& surface) {
   coverage_.begin(rect_);
   addSilhouettes(surface);
   for (const CoveredPixels& covered : coverage_.partly()) {
-    const auto share = static_cast<std::uint32_t>(std::lround(covered.share * 256.0F));
+    const auto share = static_cast<std::uint32_t>(std::floor(covered.share * 256.0F + 0.5F));
     for (int column = covered.begin; column < covered.end; ++column) pixels_.push_back({covered.row, column, share});
   }
 }
@@ -60,11 +60,11 @@ void Outline::addSilhouettes(const ScreenSurface& surface) {
     }
     return;
   }
-  isFront_.assign(triangles.size(), false);
-  for (std::size_t i = 0; i < triangles.size(); ++i) isFront_[i] = isFront(triangles[i], corners);
+  isFront_.resize(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) isFront_[i] = isFront(triangles[i], corners) ? 1 : 0;
   for (const SurfaceEdge& edge : surface.edges()) {
-    const bool left = isFront_[edge.left];
-    const bool right = edge.right != SurfaceEdge::kNone && isFront_[edge.right];
+    const bool left = isFront_[edge.left] != 0;
+    const bool right = edge.right != SurfaceEdge::kNone && isFront_[edge.right] != 0;
     if (left && !right) add(edge.from, edge.to);
     if (right && !left) add(edge.to, edge.from);
   }
@@ -114,7 +114,7 @@ void Outline::scale(Image& image) const {
 }
 
 std::size_t Outline::bytes() const noexcept {
-  return coverage_.bytes() + isFront_.capacity() / 8 + pipeline::vectorBytes(pixels_, copies_);
+  return coverage_.bytes() + pipeline::vectorBytes(isFront_, pixels_, copies_);
 }
 
 }  // namespace grove::raster

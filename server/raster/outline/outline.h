@@ -53,7 +53,7 @@ class Outline {
 
   world::Rect rect_;
   EdgeCoverage coverage_;
-  std::vector<bool> isFront_;  ///< by triangle
+  std::vector<std::uint8_t> isFront_;  ///< 1 or 0, by triangle
   std::vector<Pixel> pixels_;
   std::vector<Copy> copies_;
 };

@@ -1,7 +1,9 @@
 #include "raster/shading/vertex_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "raster/shading/vertex_light_kernels.h"
 
@@ -47,9 +49,13 @@ BoneLight lightOf(const Drawing& drawing, const world::Mat4& bone) {
 }  // namespace
 
 void lightVertices(const VertexArrays& arrays, const Drawing& drawing, std::span<std::uint32_t> out) {
+  std::array<std::optional<BoneLight>, kMaxBones> lights;  // of the bones that have vertices
   for (const VertexArrays::Run& run : arrays.runs) {
     const std::size_t end = std::min(run.end, out.size());
-    if (run.begin < end) lightRun(arrays, run.begin, end, lightOf(drawing, drawing.bones[run.bone]), out.data());
+    if (run.begin >= end) continue;
+    std::optional<BoneLight>& light = lights[run.bone];
+    if (!light) light = lightOf(drawing, drawing.bones[run.bone]);
+    lightRun(arrays, run.begin, end, *light, out.data());
   }
 }
 

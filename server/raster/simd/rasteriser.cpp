@@ -1,6 +1,7 @@
 #include "raster/simd/rasteriser.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "raster/simd/projection_kernels.h"
 
@@ -39,14 +40,16 @@ void project(const VertexArrays& arrays, const Drawing& drawing, ScreenVertices&
   vertices.depth.resize(count);
   vertices.corners.resize(count);
   vertices.nearest = world::kInfiniteDepth;
+  std::array<std::optional<Projection>, kMaxBones> projections;  // of the bones that have vertices
   for (const VertexArrays::Run& run : arrays.runs) {
     const std::size_t end = std::min(run.end, count);
     if (run.begin >= end) continue;
     const Points points{arrays.positionX.data() + run.begin, arrays.positionY.data() + run.begin,
                         arrays.positionZ.data() + run.begin, end - run.begin};
-    const Projection projection(*drawing.camera, drawing.bones[run.bone]);
+    std::optional<Projection>& projection = projections[run.bone];
+    if (!projection) projection.emplace(*drawing.camera, drawing.bones[run.bone]);
     vertices.nearest =
-        std::min(vertices.nearest, transform(points, projection, vertices.u.data() + run.begin,
+        std::min(vertices.nearest, transform(points, *projection, vertices.u.data() + run.begin,
                                              vertices.v.data() + run.begin, vertices.depth.data() + run.begin));
   }
   makeCorners(vertices.u.data(), vertices.v.data(), vertices.depth.data(), vertices.light.data(), arrays.lichen.data(),

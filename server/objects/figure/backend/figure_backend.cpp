@@ -18,6 +18,8 @@ namespace {
 constexpr float kChestHeight = 1.2F;
 /// Metres above the ground up to which visitors see their own figure.
 constexpr float kOwnHeight = 0.5F;
+/// The error factor from which shadows move in coarser steps: that of the steps.
+constexpr float kCoarseShadows = ShadowPose::kCoarser;
 
 /// Converts a display colour 0x00BBGGRR to linear light.
 world::Vec3 linear(std::uint32_t colour) {
@@ -113,7 +115,9 @@ std::optional<SunShadow> FigureBackend::shadowOf(const world::Player& player, wo
                                                  const world::Camera& camera) {
   const bool isSunUp = layout_.sky.sun.y > SunShadow::kLowestSun;
   if (!isSunUp || glm::distance(place, camera.pose.position) > SunShadow::kFarthest) return std::nullopt;
-  return std::optional<SunShadow>(std::in_place, place, *masks_.of(ShadowPose::of(player)), masks_.sun(), sun_,
+  const bool isBusy = node::errorFactor(workers_.busyShare()) >= kCoarseShadows;
+  const ShadowPose::Steps steps = isBusy ? ShadowPose::Steps::kCoarse : ShadowPose::Steps::kFine;
+  return std::optional<SunShadow>(std::in_place, place, *masks_.of(ShadowPose::of(player, steps)), masks_.sun(), sun_,
                                   layout_.sky, camera);
 }
 

@@ -6,6 +6,7 @@
 
 #include "objects/figure/backend/garments.h"
 #include "objects/figure/backend/limbs.h"
+#include "raster/joined_surface.h"
 
 namespace grove::objects::figure {
 namespace {
@@ -24,53 +25,63 @@ constexpr Openness kOutside;
 constexpr Openness kUnderTheCloak{0.6F, 0.45F};
 constexpr Openness kInTheHood{0.3F, 0.5F};
 
-void add(raster::LitSurface& to, raster::Surface part, Bone bone, const Openness& openness = kOutside) {
-  for (raster::Vertex& vertex : part.vertices) {
-    vertex.bone = static_cast<float>(bone);
-    // The ground shades the lower half a little.
-    const float low = glm::clamp(vertex.position.y / 0.8F, 0.0F, 1.0F);
-    const float sky = openness.sky * (0.6F + 0.4F * low);
-    to.light.emplace_back(openness.sun, sky, sky, sky);
+/// The parts of a figure, while it is made.
+class Parts {
+ public:
+  void add(raster::Surface part, Bone bone, const Openness& openness = kOutside) {
+    for (raster::Vertex& vertex : part.vertices) {
+      vertex.bone = static_cast<float>(bone);
+      // The ground shades the lower half a little.
+      const float low = glm::clamp(vertex.position.y / 0.8F, 0.0F, 1.0F);
+      const float sky = openness.sky * (0.6F + 0.4F * low);
+      light_.emplace_back(openness.sun, sky, sky, sky);
+    }
+    parts_.push_back(std::move(part));
   }
-  to.surface.append(part, world::Mat4(1.0F));
-}
 
-/// What is the same for all parts, when they are complete.
-void finish(raster::LitSurface& figure) {
-  const std::vector<world::Vec4> light = std::move(figure.light);
-  figure.light.clear();
-  figure.light.reserve(light.size());
-  for (const std::uint32_t vertex : figure.surface.putCoarseFirst()) figure.light.push_back(light[vertex]);
-}
+  void addLegs(float length) {
+    add(makeLeg(-1.0F, length), kLeftLeg, kUnderTheCloak);
+    add(makeLeg(1.0F, length), kRightLeg, kUnderTheCloak);
+  }
 
-void addLegs(raster::LitSurface& to, float length) {
-  add(to, makeLeg(-1.0F, length), kLeftLeg, kUnderTheCloak);
-  add(to, makeLeg(1.0F, length), kRightLeg, kUnderTheCloak);
+  [[nodiscard]] raster::LitSurface figure() const {
+    raster::LitSurface figure{raster::joined(parts_), {}, false};
+    figure.light.reserve(light_.size());
+    for (const std::uint32_t vertex : figure.surface.putCoarseFirst()) figure.light.push_back(light_[vertex]);
+    return figure;
+  }
+
+ private:
+  std::vector<raster::Surface> parts_;
+  std::vector<world::Vec4> light_;
+};
+
+/// For a figure of this breadth.
+raster::Surface broadened(raster::Surface garment, float breadth) {
+  for (raster::Vertex& vertex : garment.vertices) vertex.position *= world::Vec3(breadth, 1.0F, breadth);
+  garment.computeNormals();
+  return garment;
 }
 
 }  // namespace
 
 raster::LitSurface makeFigure(float breadth) {
-  raster::LitSurface figure{{}, {}, false};
-  add(figure, makeCloak(), kBody);
-  add(figure, makeMantle(), kBody);
-  for (raster::Vertex& vertex : figure.surface.vertices) vertex.position *= world::Vec3(breadth, 1.0F, breadth);
-  figure.surface.computeNormals();
-  add(figure, makeHood(), kBody);
-  add(figure, makeFace(), kBody, kInTheHood);
-  add(figure, makeLeftArm(), kBody);
-  addLegs(figure, kLegs);
-  add(figure, makeRightArm(), kArm);
-  add(figure, makeLantern(), kArm);
-  finish(figure);
-  return figure;
+  Parts parts;
+  parts.add(broadened(makeCloak(), breadth), kBody);
+  parts.add(broadened(makeMantle(), breadth), kBody);
+  parts.add(makeHood(), kBody);
+  parts.add(makeFace(), kBody, kInTheHood);
+  parts.add(makeLeftArm(), kBody);
+  parts.addLegs(kLegs);
+  parts.add(makeRightArm(), kArm);
+  parts.add(makeLantern(), kArm);
+  return parts.figure();
 }
 
 raster::LitSurface makeOwnFigure() {
-  raster::LitSurface figure{{}, {}, false};
-  addLegs(figure, kOwnLegs);
-  finish(figure);
-  return figure;
+  Parts parts;
+  parts.addLegs(kOwnLegs);
+  return parts.figure();
 }
 
 }  // namespace grove::objects::figure

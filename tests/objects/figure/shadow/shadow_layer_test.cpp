@@ -26,8 +26,9 @@ class ShadowLayerTest : public testing::Test {
 
   [[nodiscard]] std::optional<SunShadow> shadowOf(Vec3 place, const GroundSun& ground) const {
     const SunView view(sky_.sun);
+    const raster::Surface post = makePost(kPostHeight, 0.4F);
     const std::array<world::Mat4, 1> bones{world::Mat4(1.0F)};
-    const ShadowMask mask = castShadow(makePost(kPostHeight, 0.4F), bones, view);
+    const ShadowMask mask = castShadow(ShadowCaster(post), bones, view);
     return std::optional<SunShadow>(std::in_place, place, mask, view, ground, sky_, camera_);
   }
 
@@ -159,7 +160,7 @@ TEST_F(ShadowLayerTest, ContactAndSunAreNotAddedUp) {
 double shadedArea(const Picture& picture, const world::Camera& camera) {
   double area = 0.0;
   for (int y = camera.height / 2 + 1; y < camera.height; ++y) {
-    const auto row = GroundRow::at(static_cast<float>(y) + 0.5F, 0.0F, camera);
+    const auto row = GroundRows(0.0F, camera).at(static_cast<float>(y) + 0.5F);
     if (!row) continue;
     for (int x = 0; x < camera.width; ++x) {
       area += static_cast<double>((picture.colour[picture.at(x, y)] >> 24U) / 255.0F * glm::length(row->step) *

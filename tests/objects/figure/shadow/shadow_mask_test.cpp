@@ -19,8 +19,9 @@ using world::Vec2;
 using world::Vec3;
 
 ShadowMask shadowOfPost(const SunView& sun) {
+  const raster::Surface post = makePost(kPostHeight, 0.2F);
   const std::array<world::Mat4, 1> bones{world::Mat4(1.0F)};
-  return castShadow(makePost(kPostHeight, 0.2F), bones, sun);
+  return castShadow(ShadowCaster(post), bones, sun);
 }
 
 /// Would catch a shadow on the sun's side, and one that is not as long as the sun is low.
@@ -73,8 +74,8 @@ TEST(ShadowMask, BothSidesOfAFigureCastTheSameShadow) {
     transform.yaw = 0.8F * static_cast<float>(step);
     const auto bones = bonesOf(player, transform);
     const SunView sun(glm::normalize(Vec3(0.5F, 0.2F + 0.2F * static_cast<float>(step), 0.3F)));
-    const ShadowMask front = castShadow(figure, bones, sun);
-    const ShadowMask back = castShadow(reversed, bones, sun);
+    const ShadowMask front = castShadow(ShadowCaster(figure), bones, sun);
+    const ShadowMask back = castShadow(ShadowCaster(reversed), bones, sun);
     int different = 0;
     for (std::size_t i = 0; i < front.opacity.size(); ++i) {
       if (std::abs(front.opacity[i] - back.opacity[i]) > 32) ++different;

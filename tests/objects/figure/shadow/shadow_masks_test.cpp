@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include "objects/figure/backend/figure_shape.h"
 #include "objects/figure/backend/gait.h"
@@ -51,6 +52,26 @@ TEST_F(ShadowMasksTest, ViewersShareThem) {
   EXPECT_NE(mask, masks_.of(ShadowPose::of(walker(2, 0.3F, 2.0F)))) << "a taller one";
   EXPECT_NE(mask, masks_.of(ShadowPose::of(walker(1, 1.3F, 2.0F)))) << "who looks elsewhere";
   EXPECT_NE(mask, masks_.of(ShadowPose::of(walker(1, 0.3F, 2.4F)))) << "who has made half a step";
+}
+
+/// Would catch a busy machine that makes as many shadows as one that has time, and poses that nobody has.
+TEST_F(ShadowMasksTest, BusyMachinesShareMore) {
+  std::set<ShadowPose> fine;
+  std::set<ShadowPose> coarse;
+  for (int i = 0; i < 600; ++i) {
+    const auto step = static_cast<float>(i);
+    const world::Player player = walker(1, 0.011F * step, 0.03F * step);
+    fine.insert(ShadowPose::of(player));
+    const ShadowPose pose = ShadowPose::of(player, ShadowPose::Steps::kCoarse);
+    coarse.insert(pose);
+    const auto isNear = [](int a, int b, int steps) { return (a - b + steps + 1) % steps <= 2; };
+    EXPECT_TRUE(isNear(pose.yaw, ShadowPose::of(player).yaw, ShadowPose::kYaws)) << i;
+    EXPECT_TRUE(isNear(pose.phase, ShadowPose::of(player).phase, ShadowPose::kPhases)) << i;
+    EXPECT_LT(pose.yaw, ShadowPose::kYaws);
+    EXPECT_LT(pose.phase, ShadowPose::kPhases);
+    EXPECT_EQ(pose.pace, ShadowPose::kPaces);
+  }
+  EXPECT_LT(10 * coarse.size(), 7 * fine.size());
 }
 
 /// Would catch shadows that take memory for as long as the world lives.

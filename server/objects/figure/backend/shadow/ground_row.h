@@ -21,19 +21,39 @@ struct GroundRow {
   world::Vec3 first;  ///< the point at the left end of column 0
   world::Vec3 step;   ///< from one column to the next
   float length;       ///< metres of ground that the row covers
+};
 
-  /// `row` is a place in the camera's image, not only the middle of a pixel; `ground` is the height of the ground.
-  [[nodiscard]] static std::optional<GroundRow> at(float row, float ground, const world::Camera& camera) {
-    const world::Vec3 ray = camera.ray(0.0F, row);
-    const float height = camera.pose.position.y - ground - world::kShadowPlane;
-    if (height <= 0.0F) return std::nullopt;
-    const float depth = -height / ray.y;
-    if (!(depth > camera.nearDepth) || depth > camera.farDepth) return std::nullopt;
-    const float above = std::max(0.0F, height - kBladesAbove);
-    const float front = std::max({camera.nearDepth, above / height * depth, depth - kDeepestBlades});
-    return GroundRow{depth, front, camera.pose.position + depth * ray, depth / camera.focal() * camera.pose.right(),
-                     depth * depth / (camera.focal() * height)};
+/// The rows of a camera's image on level ground.
+class GroundRows {
+ public:
+  /// `ground` is the height of the ground.
+  GroundRows(float ground, const world::Camera& camera) noexcept
+      : camera_(camera),
+        height_(camera.pose.position.y - ground - world::kShadowPlane),
+        focal_(camera.focal()),
+        left_(camera.pose.forward() - camera.tanHalfX() * camera.pose.right()),
+        up_(camera.tanHalfY() * camera.pose.up()),
+        across_(camera.pose.right()) {}
+
+  /// `row` is a place in the image, not only the middle of a pixel.
+  [[nodiscard]] std::optional<GroundRow> at(float row) const noexcept {
+    if (height_ <= 0.0F) return std::nullopt;
+    const world::Vec3 ray = left_ + (1.0F - 2.0F * row / static_cast<float>(camera_.height)) * up_;
+    const float depth = -height_ / ray.y;
+    if (!(depth > camera_.nearDepth) || depth > camera_.farDepth) return std::nullopt;
+    const float above = std::max(0.0F, height_ - kBladesAbove);
+    const float front = std::max({camera_.nearDepth, above / height_ * depth, depth - kDeepestBlades});
+    return GroundRow{depth, front, camera_.pose.position + depth * ray, depth / focal_ * across_,
+                     depth * depth / (focal_ * height_)};
   }
+
+ private:
+  const world::Camera& camera_;
+  const float height_;  ///< of the eye above the plane that shows shadows
+  const float focal_;
+  const world::Vec3 left_;  ///< the ray through the left end of the middle row
+  const world::Vec3 up_;    ///< from there to the left end of the top
+  const world::Vec3 across_;
 };
 
 }  // namespace grove::objects::figure

@@ -18,11 +18,12 @@ void widen(raster::Image& picture, int row, const Columns& columns) {
   const bool isEmpty = span.begin >= span.end;
   const raster::Span wide{isEmpty ? columns.begin : std::min(columns.begin, span.begin),
                           isEmpty ? columns.end : std::max(columns.end, span.end)};
-  for (int x = wide.begin; x < wide.end; ++x) {
-    if (!isEmpty && x >= span.begin && x < span.end) continue;
-    picture.colourRow(row)[x] = 0;
-    picture.depthRow(row)[x] = world::kInfiniteDepth;
-  }
+  const auto clear = [&](int begin, int end) {
+    std::fill(picture.colourRow(row) + begin, picture.colourRow(row) + end, 0U);
+    std::fill(picture.depthRow(row) + begin, picture.depthRow(row) + end, world::kInfiniteDepth);
+  };
+  clear(wide.begin, isEmpty ? wide.end : span.begin);
+  if (!isEmpty) clear(span.end, wide.end);
   span = wide;
 }
 
@@ -36,11 +37,11 @@ Columns visible(RowShade& shade) {
   return columns;
 }
 
-void addSun(const SunShadow& sun, int y, float ground, const world::Camera& camera, float length, RowShade& shade) {
+void addSun(const SunShadow& sun, int y, const GroundRows& rows, float length, RowShade& shade) {
   const int parts = std::clamp(static_cast<int>(length / kPart), 1, kMostParts);
   for (int part = 0; part < parts; ++part) {
     const float place = (static_cast<float>(part) + 0.5F) / static_cast<float>(parts);
-    const auto row = GroundRow::at(static_cast<float>(y) + place, ground, camera);
+    const auto row = rows.at(static_cast<float>(y) + place);
     if (row) sun.add(*row, 1.0F / static_cast<float>(parts), shade);
   }
 }
@@ -65,12 +66,13 @@ void layShadows(world::Vec3 place, const std::optional<SunShadow>& sun, const wo
                 raster::Image& picture) {
   const world::Rect& rect = picture.rect;
   const world::Vec3 sky = sun ? sun->colour() : world::Vec3(0.0F);
+  const GroundRows rows(place.y, camera);
   RowShade shade({rect.left, rect.right});
   for (int y = rect.top; y < rect.bottom; ++y) {
-    const auto row = GroundRow::at(static_cast<float>(y) + 0.5F, place.y, camera);
+    const auto row = rows.at(static_cast<float>(y) + 0.5F);
     if (!row) continue;
     shade.clear();
-    if (sun) addSun(*sun, y, place.y, camera, row->length, shade);
+    if (sun) addSun(*sun, y, rows, row->length, shade);
     addContactShadow(place, *row, shade);
     const Columns columns = visible(shade);
     if (columns.empty()) continue;

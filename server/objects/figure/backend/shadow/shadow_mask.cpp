@@ -18,18 +18,10 @@ using world::Vec3;
 constexpr float kSunRadius = 0.013F;
 /// Metres by which blades of grass soften every shadow.
 constexpr float kLeastPenumbra = 0.014F;
-/// Metres; a coarser level of detail would show in the outline.
-constexpr float kOutlineError = 0.025F;
 /// Of opacity, less a little: the highest is 255.
 constexpr float kLevels = 255.99F;
 /// Texels that stay empty at each end of the mask.
 constexpr float kEmptyTexels = 1.5F;
-
-const raster::Level& levelForOutline(const raster::Surface& figure) {
-  const auto coarsest =
-      std::ranges::find_if(figure.levels, [](const raster::Level& level) { return level.error <= kOutlineError; });
-  return coarsest == figure.levels.end() ? figure.levels.back() : *coarsest;
-}
 
 /// Metres in a SunView, where the shadow of a point at this height falls.
 float penumbraAt(float height, const SunView& sun) {
@@ -37,11 +29,11 @@ float penumbraAt(float height, const SunView& sun) {
   return kLeastPenumbra + kSunRadius * distance;
 }
 
-std::vector<Vec2> placesOf(const raster::Surface& figure, std::size_t count, std::span<const world::Mat4> bones,
+std::vector<Vec2> placesOf(std::span<const raster::Vertex> vertices, std::span<const world::Mat4> bones,
                            const SunView& sun) {
   std::vector<Vec2> places;
-  places.reserve(count);
-  for (const raster::Vertex& vertex : std::span(figure.vertices).first(count)) {
+  places.reserve(vertices.size());
+  for (const raster::Vertex& vertex : vertices) {
     const world::Mat4& bone = bones[static_cast<std::size_t>(vertex.bone)];
     Vec3 point(bone * world::Vec4(vertex.position, 1.0F));
     // What is below the plane that shows the shadow casts none on it.
@@ -59,9 +51,8 @@ SunView::SunView(Vec3 sun) noexcept
       side(glm::cross(away, Vec3(0, 1, 0))),
       slope(1.0F / std::max(glm::length(world::shadowPerMetre(sun)), 0.1F)) {}
 
-ShadowMask castShadow(const raster::Surface& figure, std::span<const world::Mat4> bones, const SunView& sun) {
-  const raster::Level& level = levelForOutline(figure);
-  const std::vector<Vec2> places = placesOf(figure, level.vertexCount, bones, sun);
+ShadowMask castShadow(const ShadowCaster& caster, std::span<const world::Mat4> bones, const SunView& sun) {
+  const std::vector<Vec2> places = placesOf(caster.vertices(), bones, sun);
   ShadowMask mask{Vec2(world::Bounds().low), Vec2(world::Bounds().high), {}};
   for (const Vec2 place : places) {
     mask.low = glm::min(mask.low, place);
@@ -71,15 +62,16 @@ ShadowMask castShadow(const raster::Surface& figure, std::span<const world::Mat4
   const Vec2 texel = (mask.high - mask.low + 2.0F * margin) / (Vec2(kShadowColumns, kShadowRows) - 2.0F * kEmptyTexels);
   mask.low -= margin + kEmptyTexels * texel;
   mask.high += margin + kEmptyTexels * texel;
-  ShadowGrid grid = silhouette(level.triangles, places, mask.low, texel);
+  ShadowGrid grid = silhouette(caster, places, mask.low, texel);
   std::array<Vec2, kShadowRows> radii;
   for (std::size_t row = 0; row < kShadowRows; ++row) {
     radii[row] = penumbraAt(mask.low.y + (static_cast<float>(row) + 0.5F) * texel.y, sun) / texel;
   }
   soften(grid, radii);
-  mask.opacity.reserve(kShadowRows * kShadowColumns);
+  mask.opacity.resize(kShadowRows * kShadowColumns);
+  std::uint8_t* to = mask.opacity.data();
   for (const ShadowRow& row : grid) {
-    for (const float share : row) mask.opacity.push_back(static_cast<std::uint8_t>(kLevels * std::min(share, 1.0F)));
+    for (const float share : row) *to++ = static_cast<std::uint8_t>(kLevels * std::min(share, 1.0F));
   }
   return mask;
 }

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "objects/figure/backend/shadow/shadow_caster.h"
 #include "pipeline/vector_bytes.h"
-#include "raster/surface.h"
 #include "world/geometry.h"
 
 namespace grove::objects::figure {
@@ -37,7 +37,6 @@ struct ShadowMask {
 };
 
 /// `bones` place the figure, whose feet are at the origin.
-[[nodiscard]] ShadowMask castShadow(const raster::Surface& figure, std::span<const world::Mat4> bones,
-                                    const SunView& sun);
+[[nodiscard]] ShadowMask castShadow(const ShadowCaster& caster, std::span<const world::Mat4> bones, const SunView& sun);
 
 }  // namespace grove::objects::figure

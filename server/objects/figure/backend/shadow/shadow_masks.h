@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <vector>
 
 #include "objects/figure/backend/shadow/shadow_mask.h"
 #include "objects/figure/common/stature.h"
@@ -27,7 +28,10 @@ struct ShadowPose {
   static constexpr int kPhases = 48;
   static constexpr int kPaces = 8;
 
-  [[nodiscard]] static ShadowPose of(const world::Player& player) noexcept;
+  /// On a busy machine, steps are this many times as large, so that more viewers and frames share a shadow.
+  static constexpr int kCoarser = 2;
+  enum class Steps : std::uint8_t { kFine, kCoarse };
+  [[nodiscard]] static ShadowPose of(const world::Player& player, Steps steps = Steps::kFine) noexcept;
   friend auto operator<=>(const ShadowPose&, const ShadowPose&) = default;  // NOLINT(modernize-use-nullptr): its own 0
 };
 
@@ -53,7 +57,8 @@ class ShadowMasks {
   };
   [[nodiscard]] ShadowMask make(const ShadowPose& pose) const;
 
-  const std::span<const raster::LitSurface> figures_;
+  const std::vector<ShadowCaster> casters_;  ///< one for each of kStatures
+  const std::size_t casterBytes_;
   const float scale_;
   const SunView sun_;
   std::mutex mutex_;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -11,83 +10,78 @@ namespace {
 
 using world::Vec2;
 
-constexpr int kSampleColumns = 2 * kShadowColumns;
-constexpr int kSampleRows = 2 * kShadowRows;
-using Word = std::uint64_t;
-constexpr int kWord = 64;
-/// One bit for each sample of a row.
-using SampleRow = std::array<Word, kSampleColumns / kWord>;
+constexpr std::size_t kSampleColumns = 2 * kShadowColumns;
+constexpr std::size_t kSampleRows = 2 * kShadowRows;
+
+/// For a row of samples, and a column beyond its end: how many more surfaces lie over a sample than over the one before
+/// it. Sums may wrap: few surfaces lie over each other.
+using Changes = std::array<std::uint8_t, kSampleColumns + 1>;
 
 /// The first sample whose middle is not before a place.
 int firstSample(float place) { return static_cast<int>(std::ceil(place - 0.5F)); }
 
-/// The lowest `count` bits, at least 0 and at most all.
-Word lowest(int count) { return count <= 0 ? 0 : ~Word{0} >> (kWord - std::min(count, kWord)); }
+int clampedSample(float place, std::size_t end) { return std::clamp(firstSample(place), 0, static_cast<int>(end)); }
 
-/// Sets the samples from `first` to before `end`.
-void set(SampleRow& row, int first, int end) {
-  int begin = 0;
-  for (Word& word : row) {
-    word |= lowest(end - begin) & ~lowest(first - begin);
-    begin += kWord;
+/// Adds an edge of the outline, in samples, counter-clockwise around what it encloses.
+void addEdge(Vec2 from, Vec2 to, std::span<Changes> rows) {
+  const bool isLeft = to.y < from.y;
+  const Vec2 low = isLeft ? to : from;
+  const Vec2 high = isLeft ? from : to;
+  const auto change = static_cast<std::uint8_t>(isLeft ? 1 : -1);
+  const float slope = (high.x - low.x) / std::max(high.y - low.y, 1e-6F);
+  const int end = clampedSample(high.y, kSampleRows);
+  for (int row = clampedSample(low.y, kSampleRows); row < end; ++row) {
+    const float x = low.x + slope * (static_cast<float>(row) + 0.5F - low.y);
+    rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(clampedSample(x, kSampleColumns))] += change;
   }
 }
 
-/// From one of the ends of a side to the other, upwards.
-struct Side {
-  Vec2 from;
-  Vec2 to;
-  float slope;  ///< across, per unit upwards
+bool isFront(const raster::Triangle& triangle, std::span<const Vec2> corners) {
+  const Vec2 ab = corners[triangle[1]] - corners[triangle[0]];
+  const Vec2 ac = corners[triangle[2]] - corners[triangle[0]];
+  return ab.x * ac.y - ab.y * ac.x > 0.0F;
+}
 
-  Side(Vec2 a, Vec2 b)
-      : from(a.y <= b.y ? a : b), to(a.y <= b.y ? b : a), slope((to.x - from.x) / std::max(to.y - from.y, 1e-6F)) {}
-};
+/// A closed surface covers with the triangles that face the sun what it covers with all: their edges, without those
+/// between two of them.
+void addOutline(const ShadowCaster& caster, std::span<const Vec2> corners, std::span<Changes> rows) {
+  std::vector<std::uint8_t> fronts(caster.triangles().size());
+  for (std::size_t i = 0; i < fronts.size(); ++i) fronts[i] = isFront(caster.triangles()[i], corners) ? 1 : 0;
+  for (const raster::SurfaceEdge& edge : caster.edges()) {
+    const bool left = fronts[edge.left] != 0;
+    const bool right = edge.right != raster::SurfaceEdge::kNone && fronts[edge.right] != 0;
+    if (left && !right) addEdge(corners[edge.from], corners[edge.to], rows);
+    if (right && !left) addEdge(corners[edge.to], corners[edge.from], rows);
+  }
+}
 
-/// `corners` are in samples. A closed surface covers with the triangles that face the sun what it covers with all.
-void cover(const std::array<Vec2, 3>& corners, std::span<SampleRow> samples) {
-  const Vec2 ab = corners[1] - corners[0];
-  const Vec2 ac = corners[2] - corners[0];
-  if (ab.x * ac.y - ab.y * ac.x <= 0.0F) return;
-  const std::array<Side, 3> sides{{{corners[0], corners[1]}, {corners[1], corners[2]}, {corners[2], corners[0]}}};
-  const auto [bottom, top] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
-  const int end = std::min(firstSample(top), kSampleRows);
-  for (int row = std::max(firstSample(bottom), 0); row < end; ++row) {
-    const float y = static_cast<float>(row) + 0.5F;
-    float left = static_cast<float>(kSampleColumns);
-    float right = 0.0F;
-    for (const Side& side : sides) {
-      if (y < side.from.y || y >= side.to.y) continue;
-      const float x = side.from.x + side.slope * (y - side.from.y);
-      left = std::min(left, x);
-      right = std::max(right, x);
+/// The shares of the texels of which these are the samples.
+ShadowRow sharesOf(const Changes& lower, const Changes& upper) {
+  ShadowRow shares;
+  std::uint8_t over = 0;  // surfaces over the sample
+  std::uint8_t overUpper = 0;
+  for (std::size_t x = 0; x < kShadowColumns; ++x) {
+    int covered = 0;
+    for (const std::size_t column : {2 * x, 2 * x + 1}) {
+      over += lower[column];
+      overUpper += upper[column];
+      covered += (over != 0 ? 1 : 0) + (overUpper != 0 ? 1 : 0);
     }
-    const int first = std::max(firstSample(left), 0);
-    const int last = std::min(firstSample(right), kSampleColumns);
-    if (first < last) set(samples[static_cast<std::size_t>(row)], first, last);
+    shares[x] = 0.25F * static_cast<float>(covered);
   }
-}
-
-/// The number of samples that are set in two columns of a row.
-int countOf(const SampleRow& row, std::size_t column) {
-  constexpr std::size_t kTexels = kWord / 2;
-  return std::popcount(row[column / kTexels] >> (2 * (column % kTexels)) & 3U);
+  return shares;
 }
 
 }  // namespace
 
-ShadowGrid silhouette(std::span<const raster::Triangle> triangles, std::span<const Vec2> corners, Vec2 low,
-                      Vec2 texel) {
-  std::array<SampleRow, kSampleRows> samples{};
-  for (const auto& [a, b, c] : triangles) {
-    const auto placed = [&](std::uint32_t corner) { return 2.0F * (corners[corner] - low) / texel; };
-    cover({placed(a), placed(b), placed(c)}, samples);
-  }
+ShadowGrid silhouette(const ShadowCaster& caster, std::span<const Vec2> corners, Vec2 low, Vec2 texel) {
+  std::vector<Vec2> samples;
+  samples.reserve(corners.size());
+  for (const Vec2 corner : corners) samples.push_back(2.0F * (corner - low) / texel);
+  std::vector<Changes> rows(kSampleRows);
+  addOutline(caster, samples, rows);
   ShadowGrid grid(kShadowRows);
-  for (std::size_t y = 0; y < kShadowRows; ++y) {
-    for (std::size_t x = 0; x < kShadowColumns; ++x) {
-      grid[y][x] = 0.25F * static_cast<float>(countOf(samples[2 * y], x) + countOf(samples[2 * y + 1], x));
-    }
-  }
+  for (std::size_t y = 0; y < kShadowRows; ++y) grid[y] = sharesOf(rows[2 * y], rows[2 * y + 1]);
   return grid;
 }
 

@@ -71,12 +71,13 @@ SunShadow::SunShadow(Vec3 place, const ShadowMask& mask, const SunView& view, co
       colour_(Meadow(sky, glm::normalize(place + 0.5F * world::shadowPerMetre(sky.sun) - camera.pose.position))
                   .skysColour()) {
   constexpr float kPerShare = 65535.0F / 255.0F;
-  texels_.reserve(mask.opacity.size());
+  texels_.resize(mask.opacity.size());
   const std::uint8_t* opacity = mask.opacity.data();
+  std::uint16_t* to = texels_.data();
   for (const float strength : strengths(mask, ground, sky)) {
     const auto scale = static_cast<std::uint32_t>(256.0F * kPerShare * strength);
     for (std::size_t column = 0; column < kShadowColumns; ++column) {
-      texels_.push_back(static_cast<std::uint16_t>(*opacity++ * scale >> 8U));
+      *to++ = static_cast<std::uint16_t>(*opacity++ * scale >> 8U);
     }
   }
 }
