@@ -20,6 +20,8 @@ constexpr double kMaxRate = 1e10;
 constexpr LinkTime kMaxDelay = std::chrono::seconds(10);
 constexpr LinkTime kMaxWhen = std::chrono::hours(1);
 constexpr LinkTime kMinPeriod = std::chrono::milliseconds(10);
+constexpr std::array<Unit, 1> kPercent = {{{"", 0.01}}};
+constexpr double kMaxLoss = 0.2;
 constexpr std::size_t kMaxSteps = 1000;
 
 /// Parses a number with a unit; nothing if the text is something else.
@@ -68,11 +70,15 @@ class ProfileReader {
       profile_.stall = time(takeUntil(text, '/'), "a stall", LinkTime{1}, kMaxDelay);
       profile_.stallEvery = time(text, "the time between stalls", kMinPeriod, kMaxWhen);
       if (profile_.stall >= profile_.stallEvery) fail("a stall must end before the next one", all);
+    } else if (name == "loss") {
+      const auto share = quantity(text, kPercent);
+      if (!share || *share < 0.0 || *share > kMaxLoss) fail("a loss is 0 to 20 percent, as in loss=0.5, unlike", all);
+      profile_.loss = share.value_or(0.0);
     } else if (name == "seed") {
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), profile_.seed);
       if (error != std::errc{} || end != text.data() + text.size()) fail("a seed is a whole number", text);
     } else {
-      fail("the options after the round-trip time are up, jitter, stall and seed, not", all);
+      fail("the options after the round-trip time are up, jitter, stall, loss and seed, not", all);
     }
   }
 

@@ -26,16 +26,18 @@ struct LinkProfile {
   LinkTime jitter{0};                ///< maximum additional delay per direction, redrawn every 10 ms; never reorders
   LinkTime stall{0};                 ///< at the end of each stallEvery, nothing leaves for this long
   LinkTime stallEvery{0};            ///< period of the stalls; 0: none
-  std::uint64_t seed = 1;            ///< of the jitter
+  double loss = 0.0;                 ///< share of TCP's segments that are lost in each direction, 0 to 0.2
+  std::uint64_t seed = 1;            ///< of the jitter and the losses
 };
 
 /// The profile, or a short error.
 using ParsedLinkProfile = std::variant<LinkProfile, std::string>;
 
-/// Parses `RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,seed=N]`, as in `5mbit,80ms,stall=1s/10s`. A rate is a
-/// number and `kbit`, `mbit` or `gbit`, 1 kbit to 10 gbit; it may change over time: `5mbit@0s/500kbit@10s`. A time is a
-/// number and `ms` or `s`, at most 10 s, or at most an hour for the time of a rate and the period of stalls. The
-/// upstream rate defaults to the downstream rate.
+/// Parses `RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,loss=PERCENT][,seed=N]`, as in
+/// `5mbit,80ms,stall=1s/10s`. A rate is a number and `kbit`, `mbit` or `gbit`, 1 kbit to 10 gbit; it may change over
+/// time: `5mbit@0s/500kbit@10s`. A time is a number and `ms` or `s`, at most 10 s, or at most an hour for the time of a
+/// rate and the period of stalls. The upstream rate defaults to the downstream rate. A loss is a number from 0 to 20,
+/// in percent.
 [[nodiscard]] ParsedLinkProfile parseLinkProfile(std::string_view text);
 
 }  // namespace grove::stream

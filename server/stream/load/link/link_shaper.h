@@ -16,8 +16,8 @@ namespace grove::stream {
 
 /// A TCP proxy that imitates a bad line: each connection to its port is forwarded to another address over a link with
 /// this profile, whose time begins with the connection. Only the connection's bytes are shaped: its handshake is not,
-/// and packet headers do not count; loss appears as delay, as TCP makes it (jitter, stalls). One thread serves all
-/// connections; it sleeps until bytes arrive or are due.
+/// and packet headers do not count. A proxy cannot lose what a kernel has acknowledged, so losses show as the delays
+/// that TCP's recovery makes of them. One thread serves all connections; it sleeps until bytes arrive or are due.
 class LinkShaper {
  public:
   /// An address, and the option (as in "--to") that errors name.

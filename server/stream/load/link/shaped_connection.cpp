@@ -9,7 +9,8 @@ namespace grove::stream {
 namespace {
 
 LinkLine lineOf(const LinkProfile& profile, const std::vector<RateStep>& rates, std::uint64_t seed) {
-  return {LinkSchedule(rates, profile.stall, profile.stallEvery), profile.roundTrip / 2, profile.jitter, seed};
+  return {LinkSchedule(rates, profile.stall, profile.stallEvery), profile.roundTrip / 2, profile.jitter, seed,
+          profile.loss};
 }
 
 bool mayComeLater(int error) { return error == EAGAIN || error == EWOULDBLOCK; }

@@ -17,7 +17,7 @@ class ShapedConnection {
  public:
   enum class Side : std::uint8_t { kClient, kServer };
 
-  /// The server's socket may still be connecting. `seed` makes the jitter of connections differ.
+  /// The server's socket may still be connecting. `seed` makes the jitter and the losses of connections differ.
   ShapedConnection(Descriptor client, Descriptor server, const LinkProfile& profile, std::uint64_t seed);
 
   /// This side's socket may have become readable or writable since the last serve().

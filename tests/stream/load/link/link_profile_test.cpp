@@ -42,6 +42,14 @@ TEST(LinkProfile, ParsesOptionsInAnyOrder) {
   EXPECT_EQ(profile.seed, 7U);
 }
 
+/// Fault: a percentage taken for a share.
+TEST(LinkProfile, ParsesLossesInPercent) {
+  EXPECT_EQ(profileOf("5mbit,80ms").loss, 0.0);
+  EXPECT_DOUBLE_EQ(profileOf("5mbit,80ms,loss=0.5").loss, 0.005);
+  EXPECT_DOUBLE_EQ(profileOf("5mbit,80ms,jitter=1ms,loss=20,seed=3").loss, 0.2);
+  EXPECT_EQ(profileOf("5mbit,80ms,loss=0").loss, 0.0);
+}
+
 TEST(LinkProfile, RefusesMalformedText) {
   for (const char* bad : {"",
                           ",",
@@ -88,7 +96,14 @@ TEST(LinkProfile, RefusesMalformedText) {
                           "5mbit,80ms,seed=x",
                           "5mbit,80ms,seed=-1",
                           "5mbit,80ms,seed=1.5",
-                          "5mbit,80ms,loss=1"}) {
+                          "5mbit,80ms,loss",
+                          "5mbit,80ms,loss=",
+                          "5mbit,80ms,loss=-1",
+                          "5mbit,80ms,loss=20.1",
+                          "5mbit,80ms,loss=101",
+                          "5mbit,80ms,loss=x",
+                          "5mbit,80ms,loss=nan",
+                          "5mbit,80ms,loss=1%"}) {
     const ParsedLinkProfile parsed = parseLinkProfile(bad);
     ASSERT_TRUE(std::holds_alternative<std::string>(parsed)) << bad;
     EXPECT_THAT(std::get<std::string>(parsed), Not(IsEmpty())) << bad;
@@ -102,6 +117,8 @@ TEST(LinkProfile, RefusesMalformedText) {
 TEST(LinkProfile, ReportsTheFirstFaultWithItsText) {
   EXPECT_THAT(std::get<std::string>(parseLinkProfile("fast,slow")), HasSubstr("'fast'"));
   EXPECT_THAT(std::get<std::string>(parseLinkProfile("5mbit,slow")), HasSubstr("'slow'"));
+  EXPECT_EQ(std::get<std::string>(parseLinkProfile("5mbit,80ms,loss=101")),
+            "a loss is 0 to 20 percent, as in loss=0.5, unlike 'loss=101'");
 }
 
 }  // namespace

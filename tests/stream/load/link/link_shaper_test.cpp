@@ -83,6 +83,20 @@ class LinkShaperTest : public testing::Test {
     EXPECT_EQ(::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
     return socket;
   }
+  /// Sends bytes to a client and from there at once, and compares what arrives.
+  void expectToPass(const Bytes& down, const Bytes& up) const {
+    const Descriptor client = connect();
+    const Descriptor server = accept();
+    std::thread sender([&] {
+      sendAll(server, down);
+      ::shutdown(server.get(), SHUT_WR);
+    });
+    std::thread upwards([&] { sendAll(client, up); });
+    EXPECT_EQ(receive(client), down);
+    EXPECT_EQ(receive(server, up.size()), up);
+    sender.join();
+    upwards.join();
+  }
   [[nodiscard]] Descriptor accept() const {
     EXPECT_TRUE(waitFor(listener_, POLLIN));
     return Descriptor(::accept(listener_.get(), nullptr, nullptr));
@@ -94,19 +108,13 @@ class LinkShaperTest : public testing::Test {
 
 TEST_F(LinkShaperTest, PassesBytesInOrderBothWays) {
   shape("200mbit,10ms,jitter=5ms");
-  const Descriptor client = connect();
-  const Descriptor server = accept();
-  const Bytes down = counting(3'000'000);
-  const Bytes up = counting(500'000);
-  std::thread sender([&] {
-    sendAll(server, down);
-    ::shutdown(server.get(), SHUT_WR);
-  });
-  std::thread upwards([&] { sendAll(client, up); });
-  EXPECT_EQ(receive(client), down);
-  EXPECT_EQ(receive(server, up.size()), up);
-  sender.join();
-  upwards.join();
+  expectToPass(counting(3'000'000), counting(500'000));
+}
+
+/// Fault: bytes that a loss removes, repeats or reorders, or an end that overtakes a repair.
+TEST_F(LinkShaperTest, LossesChangeNoBytes) {
+  shape("50mbit,10ms,loss=5,seed=3");
+  expectToPass(counting(1'000'000), counting(200'000));
 }
 
 /// Only from below: a slow machine is later, but bits that come too soon are a fault of the link.
