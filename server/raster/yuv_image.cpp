@@ -85,6 +85,18 @@ void copyPart(const SemiPlanarImage& from, const world::Rect& part, YuvImage& to
                        to.v() + chroma, to.width() / 2, part.width() / 2, part.height() / 2);
 }
 
+void copyPart(const YuvImage& from, const world::Rect& part, YuvImage& to) {
+  assert(isEven(part) && holds(from.rect, part) && holds(to.rect, part));
+  const std::ptrdiff_t chroma = from.chromaAt(part.left, part.top);
+  const std::ptrdiff_t chromaTo = to.chromaAt(part.left, part.top);
+  libyuv::CopyPlane(from.y() + from.lumaAt(part.left, part.top), from.width(), to.y() + to.lumaAt(part.left, part.top),
+                    to.width(), part.width(), part.height());
+  libyuv::CopyPlane(from.u() + chroma, from.width() / 2, to.u() + chromaTo, to.width() / 2, part.width() / 2,
+                    part.height() / 2);
+  libyuv::CopyPlane(from.v() + chroma, from.width() / 2, to.v() + chromaTo, to.width() / 2, part.width() / 2,
+                    part.height() / 2);
+}
+
 void toRgba(const YuvImage& from, const world::Rect& part, Image& to) {
   assert(isEven(part) && holds(from.rect, part) && holds(to.rect, part));
   auto* const rgba = reinterpret_cast<std::uint8_t*>(to.colourRow(part.top - to.rect.top) + (part.left - to.rect.left));

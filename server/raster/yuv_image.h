@@ -63,6 +63,7 @@ void toSemiPlanar(const Image& from, SemiPlanarImage& to);
 /// Copies a part that both contain.
 void copyPart(const SemiPlanarImage& from, const world::Rect& part, SemiPlanarImage& to);
 void copyPart(const SemiPlanarImage& from, const world::Rect& part, YuvImage& to);
+void copyPart(const YuvImage& from, const world::Rect& part, YuvImage& to);
 
 /// Converts colours within `part`, which lies within both, to opaque ones. Repeats chroma, so that toYuv() restores the
 /// original values up to rounding.

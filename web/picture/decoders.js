@@ -1,5 +1,6 @@
 import { H264Decoder } from './h264_decoder.js';
 import { IndependentDecoder, decodeJpeg, decodeJpegToFrame } from './independent_decoder.js';
+import { patchDecoder } from './patch_decoder.js';
 import { Codec } from '../stream/protocol.js';
 
 /**
@@ -12,13 +13,14 @@ import { Codec } from '../stream/protocol.js';
  * - `onHeld(picture)`: all pictures up to this one are inside for long; the server must not wait until they are shown.
  * - `software`: use no graphics card.
  *
- * `paintsInSoftware`: the browser paints canvases without a graphics card. To add a codec, add it here, to protocol.js
- * and to codecs.js.
+ * `makeCanvas()` makes a hidden canvas. `paintsInSoftware`: the browser paints canvases without a graphics card. To add a
+ * codec, add it here, to protocol.js and to codecs.js.
  */
-export function decoders(window, clock, paintsInSoftware = false) {
+export function decoders({ window, clock, makeCanvas, paintsInSoftware }) {
   const decode = paintsInSoftware && window.ImageDecoder ? decodeJpegToFrame : decodeJpeg;
   return {
     [Codec.jpeg]: (parts) => new IndependentDecoder({ decode, ...parts }),
+    [Codec.jpegPatches]: (parts) => patchDecoder({ decode, makeCanvas, ...parts }),
     [Codec.h264]: (parts) => new H264Decoder({ window, clock, ...parts }),
   };
 }

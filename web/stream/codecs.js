@@ -6,7 +6,7 @@ const kH264Levels = ['avc1.42E01F', 'avc1.42E028'];
 /** A browser that takes longer to answer (ms) gets JPEG, so that the visitor does not wait. */
 const kLongestAnswerTime = 1000;
 /** Codecs that a visitor can choose by name. */
-const kForced = Object.freeze({ h264: Codec.h264, jpeg: Codec.jpeg });
+const kForced = Object.freeze({ h264: [Codec.h264], jpeg: [Codec.jpegPatches, Codec.jpeg] });
 
 async function claimsH264(VideoDecoder) {
   if (!VideoDecoder) return false;
@@ -22,7 +22,7 @@ async function claimsH264(VideoDecoder) {
  */
 export class Codecs {
   #window;
-  #claimed = [];
+  #claimed = [Codec.jpegPatches];
   #failed = new Set();
 
   /** `window` has `sessionStorage`, `setTimeout` and, in secure contexts only, `VideoDecoder`. */
@@ -39,7 +39,7 @@ export class Codecs {
   async ask() {
     const late = new Promise((resolve) => this.#window.setTimeout(() => resolve(false), kLongestAnswerTime));
     const claims = await Promise.race([claimsH264(this.#window.VideoDecoder).catch(() => false), late]);
-    this.#claimed = claims ? [Codec.h264] : [];
+    if (claims) this.#claimed = [Codec.h264, Codec.jpegPatches];
   }
 
   /**
@@ -48,9 +48,9 @@ export class Codecs {
    */
   offer(preference) {
     const usable = [...this.#claimed.filter((codec) => !this.#failed.has(codec)), Codec.jpeg];
-    const wanted = usable.filter((codec) => codec === kForced[preference]);
     if (!(preference in kForced)) return usable;
-    return wanted.length > 0 ? wanted : [Codec.jpeg];
+    const wanted = usable.filter((codec) => kForced[preference].includes(codec));
+    return wanted.length > 0 ? wanted : usable.filter((codec) => kForced.jpeg.includes(codec));
   }
 
   /** Excludes a failed codec from all later offers. */
@@ -66,5 +66,5 @@ export class Codecs {
 
 /** For messages: `H.264, JPEG`. */
 export function namesOf(codecs) {
-  return codecs.map((codec) => kCodecNames[codec]).join(', ');
+  return [...new Set(codecs.map((codec) => kCodecNames[codec]))].join(', ');
 }

@@ -2,7 +2,8 @@
 #include "stream/encode/encoder_registry.h"
 #include "stream/encode/h264/scene_encoder.h"
 #include "stream/encode/h264_encoder.h"
-#include "stream/encode/jpeg_encoder.h"
+#include "stream/encode/jpeg/jpeg_encoder.h"
+#include "stream/encode/jpeg/jpeg_patch_encoder.h"
 #include "stream/protocol/protocol.h"
 
 namespace grove::stream {
@@ -11,6 +12,8 @@ EncoderRegistry builtinEncoders(int jpegQuality) {
   EncoderRegistry registry;
   registry.add({kCodecJpeg, false, "libjpeg-turbo", "libjpeg-turbo " GROVE_TURBOJPEG_VERSION,
                 [jpegQuality] { return std::make_unique<JpegEncoder>(jpegQuality); }});
+  registry.add({kCodecJpegPatches, false, "libjpeg-turbo patches", "libjpeg-turbo " GROVE_TURBOJPEG_VERSION,
+                [jpegQuality] { return std::make_unique<JpegPatchEncoder>(jpegQuality); }});
   registry.add(
       {kCodecH264, true, "openh264", "OpenH264 " + openH264Version(), [] { return std::make_unique<H264Encoder>(); }});
 #if GROVE_SCENE_ENCODER

@@ -10,7 +10,8 @@
 #include "base/log.h"
 #include "node/limits.h"
 #include "pipeline/clocks.h"
-#include "stream/encode/jpeg_encoder.h"
+#include "stream/encode/jpeg/jpeg_encoder.h"
+#include "stream/late_walk/nearness_code.h"
 #include "stream/protocol/saturate.h"
 
 namespace grove::stream {
@@ -27,7 +28,6 @@ PictureHeader describe(const node::FinishedFrame& frame) {
   header.visitors = saturate<std::uint16_t>(static_cast<double>(view.players.size()));
   header.frame = view.frame;
   header.lastInput = view.lastInput;
-  header.serverMicroseconds = saturate<std::uint32_t>((pipeline::wallSeconds() - view.time) * 1e6);
   header.border = static_cast<std::uint8_t>(view.borderPercent);
   header.yaw = view.camera.pose.yaw;
   header.pitch = view.camera.pose.pitch;
@@ -61,6 +61,17 @@ std::vector<Label> labelsOf(const node::FinishedFrame& frame) {
   return labels;
 }
 
+Space spaceOf(const node::FinishedFrame& frame) {
+  const node::View& view = *frame.view;
+  Space space;
+  space.eye = view.camera.pose.position;
+  space.visitor = view.viewerEye;
+  space.velocity = {view.viewerVelocity.x, view.viewerVelocity.z};
+  space.sinceInputMicroseconds = saturate<std::uint32_t>(view.inputAge * 1e6);
+  encodeNearness(NearnessGrid(*frame.nearness), space.nearness);
+  return space;
+}
+
 }  // namespace
 
 EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page, std::vector<world::Vec3> fires,
@@ -74,7 +85,7 @@ EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page,
             executor, timeline),
       control_(std::move(control)),
       asPictures_(page >= PageLevel::kAdaptive),
-      namesAndSounds_(page >= PageLevel::kNaming),
+      page_(page),
       fires_(std::move(fires)),
       outputs_(std::move(outputs)),
       held_(memory, "encoders", "", pipeline::Work::kPerUserFrontend) {}
@@ -104,7 +115,7 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   if (encoder->usesMotion()) choice.order.motion = motion_.next(camera, frame.nearness.get());
   const double began = pipeline::wallSeconds();
   control_->took(FrameTimes::Place::kDrawing, began - frame.view->time);
-  const std::shared_ptr<EncodedFrame> made = makeRoom(namesAndSounds_ ? frame.labels.size() : 0);
+  const std::shared_ptr<EncodedFrame> made = begin(frame);
   const std::size_t before = made->bytes.size();
   bool independent = true;
   try {
@@ -121,22 +132,18 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   control_->encoded(choice, independent, pixels, made->bytes.size() - before);
   lastBytes_ = made->bytes.size();
   made->allowedBytes = choice.bytes;
-  made->header = describe(frame);
   made->header.codec = encoder->codec();
   made->header.independent = independent;
-  writeHeader(frame, *made);
+  made->header.serverMicroseconds = saturate<std::uint32_t>((pipeline::wallSeconds() - frame.view->time) * 1e6);
+  writeHeader(*made);
   held_.set(encoder->bytes() + motion_.bytes() + made->bytes.capacity());
   outputs_.frame(made);
 }
 
-void EncodeStage::writeHeader(const node::FinishedFrame& frame, EncodedFrame& made) const {
-  if (namesAndSounds_) {
-    made.header.fire = nearnessOf(fires_, frame.view->camera.pose.position);
-    made.header.labels = labelsOf(frame);
-  }
+void EncodeStage::writeHeader(EncodedFrame& made) const {
   const std::span room = std::span(made.bytes).subspan<EncodedFrame::kHeadroom>();
   if (asPictures_) {
-    encode(made.header, room.first(pictureHeaderBytes(made.header.labels.size())));
+    encode(made.header, room.first(pictureHeaderBytes(made.header)));
   } else {
     encode(static_cast<const FrameHeader&>(made.header), room.first<kFrameHeaderBytes>());
   }
@@ -183,13 +190,20 @@ bool EncodeStage::isSame(const node::FinishedFrame& frame, bool still) {
   return std::exchange(lastHash_, hash) == hash;
 }
 
-std::shared_ptr<EncodedFrame> EncodeStage::makeRoom(std::size_t labels) const {
-  auto frame = std::make_shared<EncodedFrame>();
-  const std::size_t header = EncodedFrame::kHeadroom + (asPictures_ ? pictureHeaderBytes(labels) : kFrameHeaderBytes);
+std::shared_ptr<EncodedFrame> EncodeStage::begin(const node::FinishedFrame& frame) const {
+  auto made = std::make_shared<EncodedFrame>();
+  made->header = describe(frame);
+  if (page_ >= PageLevel::kNaming) {
+    made->header.fire = nearnessOf(fires_, frame.view->camera.pose.position);
+    made->header.labels = labelsOf(frame);
+  }
+  if (control_->wantsNearness() && frame.nearness) made->header.space = spaceOf(frame);
+  const std::size_t header =
+      EncodedFrame::kHeadroom + (asPictures_ ? pictureHeaderBytes(made->header) : kFrameHeaderBytes);
   // Neighbouring frames have similar sizes: a little more room than the last one avoids growing.
-  frame->bytes.reserve(header + lastBytes_ + lastBytes_ / 8);
-  frame->bytes.resize(header);
-  return frame;
+  made->bytes.reserve(header + lastBytes_ + lastBytes_ / 8);
+  made->bytes.resize(header);
+  return made;
 }
 
 }  // namespace grove::stream

@@ -27,8 +27,9 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
     std::function<void(std::vector<std::uint8_t>)> captured = {};  ///< a Captured message
   };
 
-  /// The `page` decides the messages: Frames, Pictures, or Pictures with the nearness of the fire (`fires`: positions)
-  /// and the places of names. Reports the encoder, and the newest frame that waits to be sent, to `memory`.
+  /// The `page` decides the messages: Frames, Pictures, Pictures with the nearness of the fire (`fires`: positions) and
+  /// the places of names, or these with a Space. Reports the encoder, and the newest frame that waits to be sent, to
+  /// `memory`.
   EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page, std::vector<world::Vec3> fires, Outputs outputs,
               pipeline::MemoryLedger& memory, pipeline::Executor& executor, pipeline::Timeline& timeline);
 
@@ -37,18 +38,19 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
 
  private:
   void encodeNext(const node::FinishedFrame& frame);
-  /// Fills in names and sounds, and writes the header before the picture.
-  void writeHeader(const node::FinishedFrame& frame, EncodedFrame& made) const;
+  /// Writes the header before the picture.
+  void writeHeader(EncodedFrame& made) const;
   void capture(const node::FinishedFrame& frame, std::uint32_t number);
   /// Returns the wanted encoder, made anew if it differs from the last one; null if it fails.
   [[nodiscard]] Encoder* encoderOf(const EncoderKind& kind);
   /// Returns whether no pixel differs from the last frame's.
   [[nodiscard]] bool isSame(const node::FinishedFrame& frame, bool still);
-  [[nodiscard]] std::shared_ptr<EncodedFrame> makeRoom(std::size_t labels) const;
+  /// Returns the frame's message up to the picture, with room for its header.
+  [[nodiscard]] std::shared_ptr<EncodedFrame> begin(const node::FinishedFrame& frame) const;
 
   const std::shared_ptr<StreamControl> control_;
   const bool asPictures_;
-  const bool namesAndSounds_;
+  const PageLevel page_;
   const std::vector<world::Vec3> fires_;
   const Outputs outputs_;
   std::string kind_;  ///< name of the encoder's kind

@@ -18,6 +18,7 @@ using Quantiser = double;
 struct EncodeOrder {
   Quantiser quantiser = 26.0;
   bool independent = false;  ///< must be decodable without earlier ones
+  bool still = false;        ///< the camera rests, so most of the picture is probably the last one's
   /// One vector per block of 8 x 8 pixels, row by row, from the block to the same content in the last encoded picture.
   /// Blocks at the right and bottom edges may be smaller. Empty if the motion is unknown. Valid during the call.
   std::span<const MotionVector> motion = {};

@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "stream/encode/jpeg_decoder.h"
+#include "stream/encode/jpeg/jpeg_decoder.h"
 
 class ISVCDecoder;
 

@@ -11,7 +11,7 @@
 #include "pipeline/worker_pool.h"
 #include "stream/encode/bit_stream.h"
 #include "stream/encode/encode_stage.h"
-#include "stream/encode/jpeg_decoder.h"
+#include "stream/encode/jpeg/jpeg_decoder.h"
 
 namespace grove::stream {
 namespace {

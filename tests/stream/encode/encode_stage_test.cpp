@@ -13,8 +13,9 @@
 #include "base/error.h"
 #include "pipeline/clocks.h"
 #include "pipeline/worker_pool.h"
+#include "stream/encode/encoded_stream.h"
 #include "stream/encode/h264_decoder.h"
-#include "stream/encode/jpeg_decoder.h"
+#include "stream/encode/jpeg/jpeg_decoder.h"
 #include "yuv_pictures.h"
 
 namespace grove::stream {
@@ -106,90 +107,6 @@ class MovingEncoder final : public Encoder {
   Motions& motions_;
 };
 
-/// A stage, a stream's control and what comes out of it, of one visitor whose page takes H.264.
-class Stream {
- public:
-  explicit Stream(EncoderRegistry encoders = builtinEncoders(80), PageLevel page = PageLevel::kTimed)
-      : encoders_(std::move(encoders)),
-        control_(std::make_shared<StreamControl>(encoders_, std::make_shared<Governor>([] { return 0.0; }), page, 30.0,
-                                                 320, 180)),
-        stage_(std::make_shared<EncodeStage>(
-            control_, page, std::vector<world::Vec3>{{0, 1.7F, 3}, {0, 1.7F, -30}},
-            EncodeStage::Outputs{
-                .frame =
-                    [this](const std::shared_ptr<const EncodedFrame>& frame) {
-                      control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(),
-                                     frame->allowedBytes, pipeline::wallSeconds());
-                      sent_.push_back(frame);
-                    },
-                .captured = [this](std::vector<std::uint8_t> message) { captured_ = std::move(message); }},
-            memory_, workers_, timeline_)) {
-    control_->offer({kCodecH264, kCodecJpeg});
-  }
-
-  /// Sends a frame through; returns the Picture, or null if none was sent.
-  std::shared_ptr<const EncodedFrame> push(const std::vector<std::uint32_t>& pixels, float yaw = 0.0F) {
-    const std::size_t before = sent_.size();
-    stage_->push(frame(pixels, yaw));
-    workers_.drain();
-    return sent_.size() > before ? sent_.back() : nullptr;
-  }
-  /// Pushes without waiting for what comes of it.
-  void rush(const std::vector<std::uint32_t>& pixels) { stage_->push(frame(pixels, 0.0F)); }
-  /// Waits until all that was rushed is dealt with, up to kMaxRushed frames.
-  void drain() {
-    // A run posts the one after it, which WorkerPool::drain() does not wait for.
-    for (int run = 0; run <= kMaxRushed; ++run) workers_.drain();
-  }
-  static constexpr int kMaxRushed = 4;
-
-  std::vector<node::Label> labels;  ///< of the frames to come
-
-  StreamControl& control() { return *control_; }
-  [[nodiscard]] const std::vector<std::shared_ptr<const EncodedFrame>>& sent() const { return sent_; }
-  [[nodiscard]] std::uint32_t pushed() const { return number_; }
-
-  static constexpr std::size_t kPixels = std::size_t{320} * 180;
-
- private:
-  node::FinishedFrame frame(const std::vector<std::uint32_t>& pixels, float yaw) {
-    std::vector<std::uint32_t> own = pixels;
-    raster::Image image;
-    image.rect = {0, 0, 320, 180};
-    image.colour = own;
-    node::View view;
-    view.frame = ++number_;
-    view.lastInput = 10 * number_;
-    view.camera.width = 320;
-    view.camera.height = 180;
-    view.camera.pose.yaw = yaw;
-    view.time = pipeline::wallSeconds();
-    const auto nearness = std::make_shared<node::CellNearness>(320, 180, images_);
-    std::ranges::fill(nearness->cells(), 0.0F);
-    return {std::make_shared<const node::View>(view), tests::yuvOf(image), labels, nearness};
-  }
-
-  raster::ImagePool images_;
-  const EncoderRegistry encoders_;
-  pipeline::Timeline timeline_;
-  pipeline::MemoryLedger memory_;
-  std::vector<std::shared_ptr<const EncodedFrame>> sent_;
-  std::vector<std::uint8_t> captured_;
-  std::shared_ptr<StreamControl> control_;
-  pipeline::WorkerPool workers_{1};
-  std::shared_ptr<EncodeStage> stage_;
-  std::uint32_t number_ = 0;
-};
-
-std::vector<std::uint32_t> grain(std::uint32_t seed) {
-  std::vector<std::uint32_t> pixels(Stream::kPixels);
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const auto at = static_cast<std::uint32_t>(i);
-    pixels[i] = 0xFF000000U | ((((at / 7U) * 2654435761U + seed * 40503U) >> 26U) * 0x010101U);
-  }
-  return pixels;
-}
-
 // Faults: a picture that stands still and is sent thirty times a second; one that never gets as fine as it could; an
 // input that changed nothing and is never told of.
 TEST(EncodeStage, ResendsAStillFrameOnlyToRefine) {
@@ -224,28 +141,6 @@ TEST(EncodeStage, SendsIndependentPicturesOfStillViews) {
   }
   ASSERT_NE(picture, nullptr);
   EXPECT_TRUE(picture->header.independent);
-}
-
-// Faults: a name at another place than the visitor; a header that runs into the picture; bytes that older pages take
-// for a part of the picture.
-TEST(EncodeStage, SendsLabelsAndSoundsToNewPages) {
-  for (const PageLevel page : {PageLevel::kTimed, PageLevel::kNaming}) {
-    Stream stream(builtinEncoders(80), page);
-    stream.labels = {{.object = world::kFirstPlayerObject + 7, .place = {160.0F, 180.0F}, .opacity = 1.0F},
-                     {.object = world::kFirstPlayerObject + 9, .place = {0.0F, 45.0F}, .opacity = 0.001F}};
-    const auto sent = stream.push(grain(1));
-    ASSERT_NE(sent, nullptr);
-    const ServerMessage message = parseServerMessage(sent->message());
-    const auto* read = std::get_if<PictureMessage>(&message);
-    ASSERT_NE(read, nullptr);
-    const std::vector<Label> labels{{.visitor = 7, .x = 32768, .y = 65535, .opacity = 255},
-                                    {.visitor = 9, .x = 0, .y = 16384, .opacity = 1}};
-    EXPECT_EQ(read->header.labels, page == PageLevel::kNaming ? labels : std::vector<Label>{});
-    // Half of the loudness beside it, three metres away.
-    EXPECT_EQ(read->header.fire, page == PageLevel::kNaming ? 128 : 0);
-    H264Decoder decoder;
-    EXPECT_NE(decoder.decode(read->picture), nullptr);
-  }
 }
 
 // Fault: a frame that was dropped once it was encoded, which those after it need.

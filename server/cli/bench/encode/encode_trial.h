@@ -2,22 +2,14 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
 
 #include "cli/bench/encode/kept_frames.h"
-#include "stream/encode/encoder_registry.h"
+#include "cli/bench/encode/walk_stream.h"
 
 namespace grove::cli {
-
-/// Rate control of a trial.
-struct EncodeSetting {
-  /// Fixed for all pictures; none: rate control for a visitor with a limit of `kilobitsPerSecond`, in full size.
-  std::optional<stream::Quantiser> quantiser;
-  int kilobitsPerSecond = 0;
-};
 
 /// Cost and quality of encoding a walk's frames with one encoder.
 struct EncodeTrial {

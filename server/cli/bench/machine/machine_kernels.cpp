@@ -10,7 +10,7 @@
 #include "node/frontend/backdrops/backdrop_warp.h"
 #include "objects/fluid/backend/simulation/fluid_simulation.h"
 #include "raster/simd/simd_mesh_renderer.h"
-#include "stream/encode/jpeg_encoder.h"
+#include "stream/encode/jpeg/jpeg_encoder.h"
 
 namespace grove::cli {
 namespace {

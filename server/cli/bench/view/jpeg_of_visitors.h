@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "stream/encode/jpeg_encoder.h"
+#include "stream/encode/jpeg/jpeg_encoder.h"
 #include "stream/session/host.h"
 
 namespace grove::cli {

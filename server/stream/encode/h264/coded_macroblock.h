@@ -25,6 +25,14 @@ struct CodedMacroblock {
   std::array<std::array<std::int16_t, 4>, 2> chromaDcLevels{};  ///< of U and V
 
   [[nodiscard]] bool hasResidual() const { return lumaPattern != 0 || chromaPattern != 0; }
+
+  /// `vector`: that of a skipped macroblock.
+  void skip(const MotionVector& vector) {
+    kind = MacroblockKind::kSkipped;
+    vectors = {vector, vector, vector, vector};
+    lumaPattern = 0;
+    chromaPattern = 0;
+  }
 };
 
 }  // namespace grove::stream::h264

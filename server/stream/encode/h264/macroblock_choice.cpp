@@ -8,6 +8,7 @@
 #include "stream/encode/h264/bits/bit_writer.h"
 #include "stream/encode/h264/prediction/fit_kernels.h"
 #include "stream/encode/h264/prediction/inter_prediction_kernels.h"
+#include "stream/encode/h264/prediction/intra_fit_kernels.h"
 #include "stream/encode/h264/prediction/vector_prediction.h"
 
 namespace grove::stream::h264 {
@@ -26,7 +27,7 @@ constexpr int kGoodBits = 48;
 constexpr int kIntraTrialBits = 100;
 constexpr int kSecondStepBits = 120;
 constexpr int kQuartersBits = 150;
-constexpr int kNeighboursBits = 200;
+constexpr int kNeighboursBits = 300;
 
 /// Bits of an intra macroblock beyond those of its residual.
 constexpr int kIntraBits = 8;
@@ -61,52 +62,59 @@ int bitsOf(const MotionVector& vector, const MotionVector& expected) {
 
 }  // namespace
 
+void MacroblockChoice::begin(int column, int row) {
+  column_ = column;
+  row_ = row;
+  if (reference_ == nullptr) return;
+  expected_ = expectedVector(grid_, column, row);
+  skipped_ = skippedVector(grid_, column, row, expected_);
+}
+
 const MacroblockPixels& MacroblockChoice::choose(const MacroblockPixels& source,
-                                                 const std::optional<KnownMotion>& motion, int quantiser, int column,
-                                                 int row, CodedMacroblock& to) {
-  Target target{source, column, row, bitCostOf(quantiser)};
+                                                 const std::optional<KnownMotion>& motion, int quantiser,
+                                                 CodedMacroblock& to) {
+  bitCost_ = bitCostOf(quantiser);
   cost_ = std::numeric_limits<int>::max();
   intra_ = false;
   vectors_ = {};
-  if (reference_ != nullptr) {
-    target.expected = expectedVector(grid_, column, row);
-    skipped_ = skippedVector(grid_, column, row, target.expected);
-    chooseInter(target, motion);
-  }
-  if (cost_ > kIntraTrialBits * target.bitCost) chooseIntra(target);
+  if (reference_ != nullptr) chooseInter(source, motion);
+  if (costsMore(kIntraTrialBits)) chooseIntra(source);
   to.kind = intra_ ? MacroblockKind::kIntra : MacroblockKind::kInter;
   to.vectors = intra_ ? KnownMotion{} : vectors_;
   to.luma = mode_;
   to.chroma = mode_;
   MacroblockPixels& prediction = predictions_[best_];
   if (intra_) {
-    predictIntraChroma(picture_, column, row, mode_, prediction);
+    predictIntraChroma(picture_, column_, row_, mode_, prediction);
   } else {
-    predictChroma(*reference_, column, row, vectors_, prediction);
+    predictChroma(*reference_, column_, row_, vectors_, prediction);
   }
   return prediction;
 }
 
-void MacroblockChoice::chooseInter(const Target& target, const std::optional<KnownMotion>& motion) {
-  const auto isAbove = [&](int bits) { return cost_ > bits * target.bitCost; };
+void MacroblockChoice::chooseInter(const MacroblockPixels& source, const std::optional<KnownMotion>& motion) {
   const MotionVector mean = motion ? meanOf(*motion) : skipped_;
   const bool isNear = distanceOf(mean, skipped_) <= kNear;
-  tryVector(target, isNear ? skipped_ : mean);
-  if (isAbove(kGoodBits)) takeStep(target);
-  if (!isNear && isAbove(kGoodBits)) tryVector(target, skipped_);
-  if (motion && isAbove(kQuartersBits)) tryQuarters(target, *motion, mean);
-  if (isAbove(kNeighboursBits)) tryNeighbours(target);
-  if (isAbove(kSecondStepBits)) takeStep(target);
+  tryVector(source, isNear ? skipped_ : mean);
+  if (!costsMore(kGoodBits)) return;
+  const int before = cost_;
+  takeStep(source);
+  if (!isNear && costsMore(kGoodBits)) tryVector(source, skipped_);
+  if (motion && costsMore(kQuartersBits)) tryQuarters(source, *motion, mean);
+  if (costsMore(kNeighboursBits)) tryNeighbours(source);
+  // From the same vectors, it would lead to the same ones.
+  if (cost_ < before && costsMore(kSecondStepBits)) takeStep(source);
 }
 
-void MacroblockChoice::tryVector(const Target& target, const MotionVector& vector) {
-  tryVectors(target, all(vector), vector == skipped_ ? 0 : bitsOf(vector, target.expected));
+void MacroblockChoice::tryVector(const MacroblockPixels& source, const MotionVector& vector) {
+  tryVectors(source, all(vector), vector == skipped_ ? 0 : bitsOf(vector, expected_));
 }
 
-void MacroblockChoice::takeStep(const Target& target) {
-  const Offset offset = offsetOf(target.source, predictions_[best_]);
+void MacroblockChoice::takeStep(const MacroblockPixels& source) {
+  const Offset offset = offsetOf(source, predictions_[best_]);
   const auto quarters = [](float pixels) {
-    return static_cast<int>(std::lround(4.0F * std::clamp(pixels, -kLongestStep, kLongestStep)));
+    const float within = std::clamp(pixels, -kLongestStep, kLongestStep);
+    return static_cast<int>(4.0F * within + std::copysign(0.5F, within));
   };
   const int x = quarters(offset.x);
   const int y = quarters(offset.y);
@@ -115,10 +123,11 @@ void MacroblockChoice::takeStep(const Target& target) {
   for (MotionVector& vector : moved) {
     vector = {static_cast<std::int16_t>(vector.x + x), static_cast<std::int16_t>(vector.y + y)};
   }
-  tryVectors(target, moved, bitsOf(moved[0], target.expected));
+  tryVectors(source, moved, bitsOf(moved[0], expected_));
 }
 
-void MacroblockChoice::tryQuarters(const Target& target, const KnownMotion& motion, const MotionVector& mean) {
+void MacroblockChoice::tryQuarters(const MacroblockPixels& source, const KnownMotion& motion,
+                                   const MotionVector& mean) {
   constexpr int kKindBits = 4;
   int spread = 0;
   int bits = kKindBits;
@@ -126,46 +135,49 @@ void MacroblockChoice::tryQuarters(const Target& target, const KnownMotion& moti
     spread = std::max(spread, distanceOf(vector, mean));
     bits += bitsOf(vector, mean);
   }
-  if (spread > kSpread) tryVectors(target, motion, bits);
+  if (spread > kSpread) tryVectors(source, motion, bits);
 }
 
-void MacroblockChoice::tryVectors(const Target& target, const KnownMotion& vectors, int bits) {
-  if (cost_ <= bits * target.bitCost) return;
+void MacroblockChoice::tryVectors(const MacroblockPixels& source, const KnownMotion& vectors, int bits) {
+  if (!costsMore(bits)) return;
   for (const MotionVector& vector : vectors) {
-    if (!isWithinReach(vector, target.column, target.row)) return;
+    if (!isWithinReach(vector)) return;
   }
-  predictLuma(*reference_, target.column, target.row, vectors, free());
-  const int cost = differenceOf(target.source, free()) + bits * target.bitCost;
+  const int cost = predictLuma(*reference_, column_, row_, vectors, source, free()) + bits * bitCost_;
   if (cost >= cost_) return;
   takeFree(cost);
   vectors_ = vectors;
 }
 
-void MacroblockChoice::tryNeighbours(const Target& target) {
+void MacroblockChoice::tryNeighbours(const MacroblockPixels& source) {
+  std::array<MotionVector, 6> tried{vectors_[0], skipped_};
+  std::size_t count = 2;
+  const auto tryOnce = [&](const MotionVector& vector) {
+    if (std::find(tried.begin(), tried.begin() + count, vector) != tried.begin() + count) return;
+    tried[count++] = vector;
+    tryVector(source, vector);
+  };
   const auto tryOf = [&](int column, int row, std::size_t block) {
     if (column < 0 || column >= grid_.across || row < 0) return;
-    const MotionVector vector = grid_.at(column, row).vectors[block];
-    if (vector != vectors_[0]) tryVector(target, vector);
+    tryOnce(grid_.at(column, row).vectors[block]);
   };
-  tryVector(target, {});
-  tryOf(target.column - 1, target.row, 1);
-  tryOf(target.column, target.row - 1, 2);
-  tryOf(target.column + 1, target.row - 1, 2);
+  tryOnce({});
+  tryOf(column_ - 1, row_, 1);
+  tryOf(column_, row_ - 1, 2);
+  tryOf(column_ + 1, row_ - 1, 2);
 }
 
-void MacroblockChoice::chooseIntra(const Target& target) {
-  for (const IntraMode mode : {IntraMode::kMean, IntraMode::kVertical, IntraMode::kHorizontal, IntraMode::kPlane}) {
-    if (!isPossible(mode, target.column, target.row)) continue;
-    predictIntraLuma(picture_, target.column, target.row, mode, free());
-    const int cost = differenceOf(target.source, free()) + kIntraBits * target.bitCost;
-    if (cost >= cost_) continue;
-    takeFree(cost);
-    intra_ = true;
-    mode_ = mode;
-  }
+void MacroblockChoice::chooseIntra(const MacroblockPixels& source) {
+  const IntraFit fit = bestIntraLuma(picture_, column_, row_, source, cost_);
+  const int cost = fit.difference + kIntraBits * bitCost_;
+  if (cost >= cost_) return;
+  predictIntraLuma(picture_, column_, row_, fit.mode, free());
+  takeFree(cost);
+  intra_ = true;
+  mode_ = fit.mode;
 }
 
-bool MacroblockChoice::isWithinReach(const MotionVector& vector, int column, int row) const {
+bool MacroblockChoice::isWithinReach(const MotionVector& vector) const {
   constexpr int kBeyond = ReferencePicture::kBorder - 4;
   constexpr int kMaxPixels = 511;  // the limit of the lowest level
   const auto isWithin = [&](int quarters, int block, int blocks) {
@@ -173,7 +185,7 @@ bool MacroblockChoice::isWithinReach(const MotionVector& vector, int column, int
     const int from = block * kMacroblock + pixels;
     return std::abs(pixels) <= kMaxPixels && from >= -kBeyond && from + kMacroblock <= blocks * kMacroblock + kBeyond;
   };
-  return isWithin(vector.x, column, grid_.across) && isWithin(vector.y, row, grid_.down);
+  return isWithin(vector.x, column_, grid_.across) && isWithin(vector.y, row_, grid_.down);
 }
 
 }  // namespace grove::stream::h264

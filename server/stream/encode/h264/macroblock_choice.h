@@ -23,33 +23,29 @@ class MacroblockChoice {
   MacroblockChoice(const ReferencePicture* reference, const ReferencePicture& picture, const MacroblockGrid& grid)
       : reference_(reference), picture_(picture), grid_(grid) {}
 
+  /// Macroblocks come row by row.
+  void begin(int column, int row);
+  /// The vector that the macroblock has if it is skipped.
+  [[nodiscard]] const MotionVector& skipped() const { return skipped_; }
+
   /// Fills in kind, vectors and modes of `to`, which becomes skipped only by what the residual then turns out to be.
   /// Returns the prediction, valid until the next call.
   [[nodiscard]] const MacroblockPixels& choose(const MacroblockPixels& source, const std::optional<KnownMotion>& motion,
-                                               int quantiser, int column, int row, CodedMacroblock& to);
-
-  /// The vector that the last chosen macroblock has if it is skipped.
-  [[nodiscard]] const MotionVector& skipped() const { return skipped_; }
+                                               int quantiser, CodedMacroblock& to);
 
  private:
-  /// The macroblock that is encoded.
-  struct Target {
-    const MacroblockPixels& source;
-    int column;
-    int row;
-    int bitCost;                 ///< in units of the sum of absolute differences
-    MotionVector expected = {};  ///< its vector is written as the difference from this
-  };
-  void chooseInter(const Target& target, const std::optional<KnownMotion>& motion);
+  void chooseInter(const MacroblockPixels& source, const std::optional<KnownMotion>& motion);
   /// Predicts luma, and keeps the prediction if it costs less than the best so far.
-  void tryVectors(const Target& target, const KnownMotion& vectors, int bits);
-  void tryVector(const Target& target, const MotionVector& vector);
+  void tryVectors(const MacroblockPixels& source, const KnownMotion& vectors, int bits);
+  void tryVector(const MacroblockPixels& source, const MotionVector& vector);
   /// Moves the best vectors to where the prediction's gradients point.
-  void takeStep(const Target& target);
-  void tryQuarters(const Target& target, const KnownMotion& motion, const MotionVector& mean);
-  void tryNeighbours(const Target& target);
-  void chooseIntra(const Target& target);
-  [[nodiscard]] bool isWithinReach(const MotionVector& vector, int column, int row) const;
+  void takeStep(const MacroblockPixels& source);
+  void tryQuarters(const MacroblockPixels& source, const KnownMotion& motion, const MotionVector& mean);
+  void tryNeighbours(const MacroblockPixels& source);
+  void chooseIntra(const MacroblockPixels& source);
+  [[nodiscard]] bool isWithinReach(const MotionVector& vector) const;
+  /// Whether the best prediction costs more than this.
+  [[nodiscard]] bool costsMore(int bits) const { return cost_ > bits * bitCost_; }
   [[nodiscard]] MacroblockPixels& free() { return predictions_[1 - best_]; }
   void takeFree(int cost) {
     best_ = 1 - best_;
@@ -60,11 +56,15 @@ class MacroblockChoice {
   const ReferencePicture* reference_;
   const ReferencePicture& picture_;
   const MacroblockGrid& grid_;
+  int column_ = 0;
+  int row_ = 0;
+  int bitCost_ = 1;        ///< in units of the sum of absolute differences
+  MotionVector expected_;  ///< its vector is written as the difference from this
+  MotionVector skipped_;
   std::size_t best_ = 0;
   int cost_ = 0;
   bool intra_ = false;
   KnownMotion vectors_{};
-  MotionVector skipped_;
   IntraMode mode_ = IntraMode::kMean;
 };
 

@@ -39,13 +39,16 @@ void readMacroblock(const raster::YuvImage& image, int column, int row, Macroblo
   readSquare<8>(image.v(), width / 2, height / 2, left / 2, top / 2, to.chroma.data() + 8);
 }
 
-void writeMacroblock(const MacroblockPixels& pixels, int column, int row, ReferencePicture& to) {
-  constexpr std::ptrdiff_t kStride = MacroblockPixels::kStride;
+void writeLuma(const MacroblockPixels& pixels, int column, int row, ReferencePicture& to) {
   for (int y = 0; y < kMacroblock; ++y) {
-    std::memcpy(to.plane(0).at(column * kMacroblock, row * kMacroblock + y), pixels.luma.data() + y * kStride, 16);
+    const std::uint8_t* const from = pixels.luma.data() + y * MacroblockPixels::kStride;
+    std::memcpy(to.plane(0).at(column * kMacroblock, row * kMacroblock + y), from, 16);
   }
+}
+
+void writeChroma(const MacroblockPixels& pixels, int column, int row, ReferencePicture& to) {
   for (int y = 0; y < kMacroblock / 2; ++y) {
-    const std::uint8_t* const from = pixels.chroma.data() + y * kStride;
+    const std::uint8_t* const from = pixels.chroma.data() + y * MacroblockPixels::kStride;
     std::memcpy(to.plane(1).at(column * 8, row * 8 + y), from, 8);
     std::memcpy(to.plane(2).at(column * 8, row * 8 + y), from + 8, 8);
   }

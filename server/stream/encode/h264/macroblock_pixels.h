@@ -22,7 +22,8 @@ struct MacroblockPixels {
 /// Reads a macroblock. One that reaches beyond the image repeats its last column and row there.
 void readMacroblock(const raster::YuvImage& image, int column, int row, MacroblockPixels& to);
 
-/// Writes a macroblock that equals its prediction.
-void writeMacroblock(const MacroblockPixels& pixels, int column, int row, ReferencePicture& to);
+/// Write pixels as they are predicted.
+void writeLuma(const MacroblockPixels& pixels, int column, int row, ReferencePicture& to);
+void writeChroma(const MacroblockPixels& pixels, int column, int row, ReferencePicture& to);
 
 }  // namespace grove::stream::h264

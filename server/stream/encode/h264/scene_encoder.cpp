@@ -22,7 +22,8 @@ bool canSkip(const CodedMacroblock& macroblock, const MotionVector& skipped) {
 std::uint8_t SceneEncoder::codec() const noexcept { return kCodecH264; }
 
 std::size_t SceneEncoder::bytes() const noexcept {
-  return shown_.bytes() + next_.bytes() + grid_.macroblocks.capacity() * sizeof(Macroblock) + slice_.capacity();
+  return shown_.bytes() + next_.bytes() + grid_.macroblocks.capacity() * sizeof(Macroblock) + still_.bytes() +
+         slice_.capacity();
 }
 
 int SceneEncoder::quantiserOf(Quantiser picture, int row) const {
@@ -35,6 +36,7 @@ void SceneEncoder::restart(const PictureSize& size) {
   const int across = size.macroblocksAcross();
   const int down = size.macroblocksDown();
   grid_ = {across, down, std::vector<Macroblock>(static_cast<std::size_t>(across) * static_cast<std::size_t>(down))};
+  still_ = StillMacroblocks(across, down);
   shown_ = ReferencePicture(across, down);
   next_ = ReferencePicture(across, down);
 }
@@ -54,6 +56,8 @@ bool SceneEncoder::encode(const raster::YuvImage& picture, const EncodeOrder& or
                            .frameNumber = frameNumber_,
                            .independentId = independents_ % 2,
                            .quantiser = quantiserOf(order.quantiser, 0)};
+  still_.nextPicture(independent);
+  adaptive_.nextPicture();
   slice_.clear();
   SliceWriter slice(header, grid_, slice_);
   MacroblockChoice choice(independent ? nullptr : &shown_, next_, grid_);
@@ -70,17 +74,29 @@ bool SceneEncoder::encode(const raster::YuvImage& picture, const EncodeOrder& or
 
 void SceneEncoder::encodeRow(const raster::YuvImage& picture, const EncodeOrder& order, int row,
                              MacroblockChoice& choice, SliceWriter& slice) {
-  const int quantiser = quantiserOf(order.quantiser, row);
+  const int mean = quantiserOf(order.quantiser, row);
   MacroblockPixels source;
   CodedMacroblock coded;
   for (int column = 0; column < grid_.across; ++column) {
     readMacroblock(picture, column, row, source);
-    const MacroblockPixels& prediction =
-        choice.choose(source, motionOf(order, column, row), quantiser, column, row, coded);
+    choice.begin(column, row);
+    if (choice.skipped() == MotionVector{} && still_.isStill(source, mean, column, row)) {
+      // The picture before the last one, which this one replaces, has the same pixels here.
+      coded.skip({});
+      slice.write(coded, mean, column, row);
+      continue;
+    }
+    const int quantiser = adaptive_.choose(source, mean);
+    const MacroblockPixels& prediction = choice.choose(source, motionOf(order, column, row), quantiser, coded);
     quantiseResidual(source, prediction, quantisations_, quantiser, coded);
     if (canSkip(coded, choice.skipped())) coded.kind = MacroblockKind::kSkipped;
     slice.write(coded, quantiser, column, row);
     reconstruct(coded, prediction, quantisations_, quantiser, column, row, next_);
+    if (coded.kind == MacroblockKind::kSkipped && choice.skipped() == MotionVector{}) {
+      still_.keep(source, mean, column, row);
+    } else {
+      still_.change(column, row);
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stream/encode/encoder.h"
+#include "stream/encode/h264/adaptive_quantiser.h"
 #include "stream/encode/h264/bits/bit_writer.h"
 #include "stream/encode/h264/bits/slice_writer.h"
 #include "stream/encode/h264/bits/units.h"
@@ -14,6 +15,7 @@
 #include "stream/encode/h264/macroblock_choice.h"
 #include "stream/encode/h264/reference_picture.h"
 #include "stream/encode/h264/residual/quantisation.h"
+#include "stream/encode/h264/still_macroblocks.h"
 
 namespace grove::stream::h264 {
 
@@ -50,6 +52,8 @@ class SceneEncoder final : public Encoder {
   const Quantisations quantisations_;
   PictureSize size_;
   MacroblockGrid grid_;
+  StillMacroblocks still_;
+  AdaptiveQuantiser adaptive_;
   ReferencePicture shown_;  ///< the reference of the next picture
   ReferencePicture next_;
   BitWriter slice_;

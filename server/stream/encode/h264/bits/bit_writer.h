@@ -31,6 +31,7 @@ class BitWriter {
   /// Exp-Golomb, unsigned.
   void putUnsigned(std::uint32_t value) {
     const int length = std::bit_width(value + 1);
+    if (2 * length - 1 <= kWord) return put(value + 1, 2 * length - 1);
     put(0, length - 1);
     put(value + 1, length);
   }

@@ -5,52 +5,47 @@
 #include <bit>
 #include <cstddef>
 #include <cstdlib>
+#include <utility>
 
 #include "stream/encode/h264/bits/coefficient_codes.h"
 
 namespace grove::stream::h264 {
 namespace {
 
-/// The coefficients that are not zero, the highest frequency first.
-struct Found {
-  std::array<int, 16> levels;
-  std::array<int, 16> zeros;  ///< right before each of them
-  std::size_t count = 0;
-  std::size_t trailingOnes = 0;
+/// Coefficients in the order of the scan. Place i is values[order[i]].
+struct Levels {
+  const std::int16_t* values;
+  const std::uint8_t* order;
+  LevelBits bits;
+  std::size_t places;
+
+  [[nodiscard]] int at(int place) const { return values[order[place]]; }
+  [[nodiscard]] int count() const { return std::popcount(bits.nonZero); }
+  /// Those of level 1 or -1 at the highest frequencies, at most three.
+  [[nodiscard]] int trailingOnes() const {
+    return std::min(3, std::popcount(static_cast<std::uint32_t>(bits.nonZero) >> std::bit_width(bits.large)));
+  }
 };
 
-/// Bit i: level i is not zero.
-std::uint32_t nonZero(std::span<const std::int16_t> levels) {
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < levels.size(); ++i) bits |= (levels[i] != 0 ? 1U : 0U) << i;
-  return bits;
-}
-
-Found find(std::span<const std::int16_t> levels) {
-  Found found;
-  std::uint32_t left = nonZero(levels);
-  while (left != 0) {
-    const int place = std::bit_width(left) - 1;
-    left &= ~(1U << place);
-    const int level = levels[static_cast<std::size_t>(place)];
-    if (std::abs(level) == 1 && found.trailingOnes == found.count && found.count < 3) ++found.trailingOnes;
-    found.levels[found.count] = level;
-    found.zeros[found.count] = place - std::bit_width(left);
-    ++found.count;
-  }
-  return found;
+/// Removes the highest place of a set of places that is not empty, and returns it.
+int takeHighest(std::uint32_t& places) {
+  const std::uint32_t highest = std::bit_floor(places);
+  places ^= highest;
+  return std::countr_zero(highest);
 }
 
 void put(const Code& code, BitWriter& out) { out.put(code.bits, code.length); }
 
-void writeToken(const Found& found, Context context, BitWriter& out) {
-  if (context == kChromaDc) return put(kChromaTokens[found.count][found.trailingOnes], out);
+Code tokenOf(std::size_t count, std::size_t trailingOnes, Context context) {
+  if (context == kChromaDc) return kChromaTokens[count][trailingOnes];
   if (context >= 8) {
-    const std::size_t code = found.count == 0 ? 3 : 4 * (found.count - 1) + found.trailingOnes;
-    return out.put(static_cast<std::uint32_t>(code), 6);
+    Code code;
+    code.bits = static_cast<std::uint16_t>(count == 0 ? 3 : 4 * (count - 1) + trailingOnes);
+    code.length = 6;
+    return code;
   }
   const std::size_t table = context < 2 ? 0 : context < 4 ? 1 : 2;
-  put(kTokens[table][found.count][found.trailingOnes], out);
+  return kTokens[table][count][trailingOnes];
 }
 
 /// Section 9.2.2.1, the other way round.
@@ -58,8 +53,7 @@ void writeLevel(int code, int suffixLength, BitWriter& out) {
   constexpr int kEscapePrefix = 15;
   constexpr int kEscapeBits = 12;
   const auto write = [&](int prefix, int suffix, int bits) {
-    out.put(1, prefix + 1);
-    if (bits > 0) out.put(static_cast<std::uint32_t>(suffix), bits);
+    out.put(1U << bits | static_cast<std::uint32_t>(suffix), prefix + 1 + bits);
   };
   if (suffixLength == 0) {
     if (code < 14) return write(code, 0, 0);
@@ -71,43 +65,76 @@ void writeLevel(int code, int suffixLength, BitWriter& out) {
   write(code >> suffixLength, code & ((1 << suffixLength) - 1), suffixLength);
 }
 
-void writeLevels(const Found& found, BitWriter& out) {
-  for (std::size_t i = 0; i < found.trailingOnes; ++i) out.put(found.levels[i] < 0 ? 1 : 0, 1);
-  int suffixLength = found.count > 10 && found.trailingOnes < 3 ? 1 : 0;
-  for (std::size_t i = found.trailingOnes; i < found.count; ++i) {
-    const int level = found.levels[i];
+/// The token, the signs of trailing ones, and the other levels.
+void writeLevels(const Levels& levels, Context context, BitWriter& out) {
+  const int count = levels.count();
+  const int ones = levels.trailingOnes();
+  std::uint32_t left = levels.bits.nonZero;
+  const Code token = tokenOf(static_cast<std::size_t>(count), static_cast<std::size_t>(ones), context);
+  std::uint32_t signs = token.bits;
+  for (int i = 0; i < ones; ++i) signs = 2 * signs + (levels.bits.negative >> takeHighest(left) & 1U);
+  out.put(signs, token.length + ones);
+  int suffixLength = count > 10 && ones < 3 ? 1 : 0;
+  bool couldBeOne = ones == 3;
+  while (left != 0) {
+    const int level = levels.at(takeHighest(left));
     int code = level > 0 ? 2 * level - 2 : -2 * level - 1;
-    // This one would have been a trailing one.
-    if (i == found.trailingOnes && found.trailingOnes < 3) code -= 2;
+    // The first one would have been a trailing one.
+    if (!std::exchange(couldBeOne, true)) code -= 2;
     writeLevel(code, suffixLength, out);
     suffixLength = std::max(suffixLength, 1);
     if (std::abs(level) > 3 << (suffixLength - 1) && suffixLength < 6) ++suffixLength;
   }
 }
 
-void writeRuns(const Found& found, std::size_t places, BitWriter& out) {
-  int left = 0;
-  for (std::size_t i = 0; i < found.count; ++i) left += found.zeros[i];
-  if (found.count < places) {
-    const auto zeros = static_cast<std::size_t>(left);
-    put(places == 4 ? kChromaTotalZeros[found.count - 1][zeros] : kTotalZeros[found.count - 1][zeros], out);
+void writeRuns(const Levels& levels, BitWriter& out) {
+  std::uint32_t left = levels.bits.nonZero;
+  const auto count = static_cast<std::size_t>(levels.count());
+  int last = takeHighest(left);
+  int zeros = last + 1 - static_cast<int>(count);
+  if (count < levels.places) {
+    const auto all = static_cast<std::size_t>(zeros);
+    put(levels.places == 4 ? kChromaTotalZeros[count - 1][all] : kTotalZeros[count - 1][all], out);
   }
-  for (std::size_t i = 0; i + 1 < found.count && left > 0; ++i) {
-    put(kRuns[static_cast<std::size_t>(std::min(left, 7) - 1)][static_cast<std::size_t>(found.zeros[i])], out);
-    left -= found.zeros[i];
+  while (left != 0 && zeros > 0) {
+    const int place = takeHighest(left);
+    const int run = last - place - 1;
+    put(kRuns[static_cast<std::size_t>(std::min(zeros, 7) - 1)][static_cast<std::size_t>(run)], out);
+    zeros -= run;
+    last = place;
   }
+}
+
+int writeAll(const Levels& levels, Context context, BitWriter& out) {
+  writeLevels(levels, context, out);
+  if (levels.bits.nonZero != 0) writeRuns(levels, out);
+  return levels.count();
+}
+
+LevelBits bitsOf(std::span<const std::int16_t> levels) {
+  std::uint32_t nonZero = 0;
+  std::uint32_t large = 0;
+  std::uint32_t negative = 0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    nonZero |= (levels[i] != 0 ? 1U : 0U) << i;
+    large |= (std::abs(levels[i]) > 1 ? 1U : 0U) << i;
+    negative |= (levels[i] < 0 ? 1U : 0U) << i;
+  }
+  return {static_cast<std::uint16_t>(nonZero), static_cast<std::uint16_t>(large), static_cast<std::uint16_t>(negative)};
 }
 
 }  // namespace
 
 int writeCoefficients(std::span<const std::int16_t> levels, Context context, BitWriter& out) {
-  const Found found = find(levels);
-  writeToken(found, context, out);
-  if (found.count > 0) {
-    writeLevels(found, out);
-    writeRuns(found, levels.size(), out);
-  }
-  return static_cast<int>(found.count);
+  constexpr std::array<std::uint8_t, 16> kAsTheyAre{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  return writeAll({levels.data(), kAsTheyAre.data(), bitsOf(levels), levels.size()}, context, out);
+}
+
+int writeBlock(const Block& block, const LevelBits& bits, bool withoutDc, Context context, BitWriter& out) {
+  if (!withoutDc) return writeAll({block.data(), kScan.data(), bits, 16}, context, out);
+  const auto next = [](std::uint16_t all) { return static_cast<std::uint16_t>(all >> 1); };
+  const LevelBits rest{next(bits.nonZero), next(bits.large), next(bits.negative)};
+  return writeAll({block.data(), kScan.data() + 1, rest, 15}, context, out);
 }
 
 }  // namespace grove::stream::h264

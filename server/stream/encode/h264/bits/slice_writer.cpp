@@ -19,32 +19,43 @@ constexpr std::array<std::uint8_t, 48> kPatternNumbers{0, 2,  3,  7,  4,  8,  17
 /// The order of a macroblock's 4 x 4 blocks (figure 6-10): their numbers row by row.
 constexpr std::array<std::uint8_t, 16> kBlockOrder{0, 1, 4, 5, 2, 3, 6, 7, 8, 9, 12, 13, 10, 11, 14, 15};
 
-/// Coefficients of a block in the order of the scan, from `first` on.
-template <std::size_t kFirst>
-std::array<std::int16_t, 16 - kFirst> scanned(const Block& block) {
-  std::array<std::int16_t, 16 - kFirst> result{};
-  for (std::size_t i = kFirst; i < 16; ++i) result[i - kFirst] = block[kScan[i]];
-  return result;
-}
+/// The counts of coefficients of a macroblock's blocks in one plane, kSide blocks a row, and those around it.
+template <std::size_t kSide>
+class Counts {
+ public:
+  /// `select` returns a macroblock's counts, row by row. It has no others than its neighbours' yet.
+  template <class Select>
+  Counts(const MacroblockGrid& grid, int column, int row, const Select& select)
+      : hasLeft_(column > 0), hasAbove_(row > 0) {
+    if (hasLeft_) {
+      const auto& left = select(grid.at(column - 1, row));
+      for (std::size_t y = 0; y < kSide; ++y) at(0, y + 1) = left[y * kSide + kSide - 1];
+    }
+    if (hasAbove_) {
+      const auto& above = select(grid.at(column, row - 1));
+      for (std::size_t x = 0; x < kSide; ++x) at(x + 1, 0) = above[(kSide - 1) * kSide + x];
+    }
+  }
 
-/// Section 9.2.1: from the counts of the blocks to the left and above. `counts` returns a macroblock's, row by row,
-/// kSide blocks a row.
-template <int kSide, class Counts>
-Context contextOf(const MacroblockGrid& grid, int column, int row, std::size_t block, const Counts& counts) {
-  const int x = static_cast<int>(block) % kSide;
-  const int y = static_cast<int>(block) / kSide;
-  const auto count = [&](int ofColumn, int ofRow, int blockX, int blockY) {
-    const int index = blockY * kSide + blockX;
-    return int{counts(grid.at(ofColumn, ofRow))[static_cast<std::size_t>(index)]};
-  };
-  const bool hasLeft = x > 0 || column > 0;
-  const bool hasAbove = y > 0 || row > 0;
-  const int left = !hasLeft ? 0 : x > 0 ? count(column, row, x - 1, y) : count(column - 1, row, kSide - 1, y);
-  const int above = !hasAbove ? 0 : y > 0 ? count(column, row, x, y - 1) : count(column, row - 1, x, kSide - 1);
-  return hasLeft && hasAbove ? (left + above + 1) / 2 : left + above;
-}
+  /// Section 9.2.1.
+  [[nodiscard]] Context contextOf(std::size_t block) {
+    const std::size_t x = block % kSide;
+    const std::size_t y = block / kSide;
+    const int sum = at(x, y + 1) + at(x + 1, y);
+    return (hasLeft_ || x > 0) && (hasAbove_ || y > 0) ? (sum + 1) / 2 : sum;
+  }
+  void set(std::size_t block, int count) {
+    at(block % kSide + 1, block / kSide + 1) = static_cast<std::uint8_t>(count);
+  }
 
-const auto& lumaCounts(const Macroblock& macroblock) { return macroblock.lumaCounts; }
+ private:
+  /// From the corner above left of the macroblock.
+  std::uint8_t& at(std::size_t x, std::size_t y) { return counts_[y * (kSide + 1) + x]; }
+
+  bool hasLeft_;
+  bool hasAbove_;
+  std::array<std::uint8_t, (kSide + 1) * (kSide + 1)> counts_{};
+};
 
 }  // namespace
 
@@ -105,16 +116,17 @@ void SliceWriter::writeResidual(const CodedMacroblock& macroblock, int column, i
 
 void SliceWriter::writeLuma(const CodedMacroblock& macroblock, int column, int row) {
   Macroblock& own = grid_.at(column, row);
-  if (own.intra) {
-    writeCoefficients(macroblock.lumaDcLevels, contextOf<4>(grid_, column, row, 0, lumaCounts), out_);
-  }
+  if (!own.intra && macroblock.lumaPattern == 0) return;
+  Counts<4> counts(
+      grid_, column, row, [](const Macroblock& of) -> const auto& { return of.lumaCounts; });
+  if (own.intra) writeCoefficients(macroblock.lumaDcLevels, counts.contextOf(0), out_);
+  const Residual& residual = macroblock.residual;
   for (std::size_t i = 0; i < 16; ++i) {
     if ((macroblock.lumaPattern >> i / 4 & 1) == 0) continue;
     const std::size_t block = kBlockOrder[i];
-    const Context context = contextOf<4>(grid_, column, row, block, lumaCounts);
-    const Block& levels = macroblock.residual.luma[block];
-    const int count = own.intra ? writeCoefficients(scanned<1>(levels), context, out_)
-                                : writeCoefficients(scanned<0>(levels), context, out_);
+    const LevelBits bits = (residual.lumaBlocks >> block & 1) != 0 ? residual.lumaBits[block] : LevelBits{};
+    const int count = writeBlock(residual.luma[block], bits, own.intra, counts.contextOf(block), out_);
+    counts.set(block, count);
     own.lumaCounts[block] = static_cast<std::uint8_t>(count);
   }
 }
@@ -124,12 +136,16 @@ void SliceWriter::writeChroma(const CodedMacroblock& macroblock, int column, int
   for (const auto& levels : macroblock.chromaDcLevels) writeCoefficients(levels, kChromaDc, out_);
   if (macroblock.chromaPattern < 2) return;
   Macroblock& own = grid_.at(column, row);
+  const Residual& residual = macroblock.residual;
   for (std::size_t plane = 0; plane < 2; ++plane) {
+    Counts<2> counts(
+        grid_, column, row, [&](const Macroblock& of) -> const auto& { return of.chromaCounts[plane]; });
     for (std::size_t block = 0; block < 4; ++block) {
-      const Context context = contextOf<2>(
-          grid_, column, row, block, [&](const Macroblock& of) -> const auto& { return of.chromaCounts[plane]; });
-      const Block& levels = macroblock.residual.chroma[4 * plane + block];
-      own.chromaCounts[plane][block] = static_cast<std::uint8_t>(writeCoefficients(scanned<1>(levels), context, out_));
+      const std::size_t place = 4 * plane + block;
+      const LevelBits bits = (residual.chromaBlocks >> place & 1) != 0 ? residual.chromaBits[place] : LevelBits{};
+      const int count = writeBlock(residual.chroma[place], bits, true, counts.contextOf(block), out_);
+      counts.set(block, count);
+      own.chromaCounts[plane][block] = static_cast<std::uint8_t>(count);
     }
   }
 }

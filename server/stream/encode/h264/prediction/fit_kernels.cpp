@@ -15,18 +15,6 @@ using Bytes = hn::Rebind<std::uint8_t, Values>;
 using Vec = hn::Vec<Values>;
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(Values()));
 
-int differenceOf(const MacroblockPixels& a, const MacroblockPixels& b) {
-  const hn::CappedTag<std::uint8_t, 32> bytes;
-  const hn::Repartition<std::uint64_t, decltype(bytes)> sums;
-  auto sum = hn::Zero(sums);
-  for (std::size_t i = 0; i < a.luma.size(); i += hn::Lanes(bytes)) {
-    const auto left = hn::Load(bytes, a.luma.data() + i);
-    const auto right = hn::Load(bytes, b.luma.data() + i);
-    sum = hn::Add(sum, hn::SumsOf8(hn::Or(hn::SaturatedSub(left, right), hn::SaturatedSub(right, left))));
-  }
-  return static_cast<int>(hn::GetLane(hn::SumOfLanes(sums, sum)));
-}
-
 Offset offsetOf(const MacroblockPixels& source, const MacroblockPixels& prediction) {
   const Values words;
   const Bytes bytes;
@@ -48,17 +36,24 @@ Offset offsetOf(const MacroblockPixels& source, const MacroblockPixels& predicti
   constexpr std::ptrdiff_t kStride = MacroblockPixels::kStride;
   for (int left = 0; left < kMacroblock; left += kLanes) {
     const auto inside = hn::Load(words, kInside + left);
+    const std::uint8_t* p = prediction.luma.data() + left;
+    const std::uint8_t* of = source.luma.data() + left;
+    Vec above = load(p);
+    Vec middle = load(p + kStride);
     for (int top = 1; top < kMacroblock - 1; ++top) {
-      const std::ptrdiff_t at = top * kStride + left;
-      const std::uint8_t* const p = prediction.luma.data() + at;
+      p += kStride;
+      of += kStride;
+      const Vec below = load(p + kStride);
       const Vec x = hn::And(inside, hn::Sub(load(p + 1), load(p - 1)));
-      const Vec y = hn::And(inside, hn::Sub(load(p + kStride), load(p - kStride)));
-      const Vec e = hn::Sub(load(source.luma.data() + at), load(p));
+      const Vec y = hn::And(inside, hn::Sub(below, above));
+      const Vec e = hn::Sub(load(of), middle);
       xx.add(x, x);
       xy.add(x, y);
       yy.add(y, y);
       xe.add(x, e);
       ye.add(y, e);
+      above = middle;
+      middle = below;
     }
   }
   const float sumXx = xx.total();
@@ -80,12 +75,7 @@ HWY_AFTER_NAMESPACE();
 
 namespace grove::stream::h264 {
 
-HWY_EXPORT(differenceOf);
 HWY_EXPORT(offsetOf);
-
-int differenceOf(const MacroblockPixels& a, const MacroblockPixels& b) {
-  return HWY_DYNAMIC_DISPATCH(differenceOf)(a, b);
-}
 
 Offset offsetOf(const MacroblockPixels& source, const MacroblockPixels& prediction) {
   return HWY_DYNAMIC_DISPATCH(offsetOf)(source, prediction);

@@ -4,11 +4,6 @@
 
 namespace grove::stream::h264 {
 
-// Kernels: how well a prediction fits a macroblock.
-
-/// Sum of absolute differences of luma.
-[[nodiscard]] int differenceOf(const MacroblockPixels& a, const MacroblockPixels& b);
-
 /// How far luma is to be moved, so that the prediction fits the source best: a least-squares step by the prediction's
 /// gradients, in pixels, to be added to the vector (B. Lucas and T. Kanade, IJCAI 1981). Zero where gradients do not
 /// tell.

@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "stream/encode/h264/prediction/difference_inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace grove::stream::h264::HWY_NAMESPACE {
 
@@ -14,16 +16,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr std::ptrdiff_t kTo = MacroblockPixels::kStride;
 
-/// Luma of a square of kSide pixels, kLanes columns at a time.
+/// Luma of a square of kSide pixels, and its difference from the source. A vector has two rows of it, half a square
+/// apart, or a part of a row.
 template <int kSide>
 class LumaBlock {
  public:
   /// `from`: the pixel at the whole part of the vector.
-  HWY_INLINE LumaBlock(const std::uint8_t* from, std::ptrdiff_t stride, std::uint8_t* to)
-      : from_(from), stride_(stride), to_(to) {}
+  HWY_INLINE LumaBlock(const std::uint8_t* from, std::ptrdiff_t stride, const std::uint8_t* source, std::uint8_t* to)
+      : from_(from), stride_(stride), source_(source), to_(to) {}
 
   /// `x` and `y`: quarters of a pixel.
-  HWY_INLINE void predict(int x, int y) const {
+  HWY_INLINE void predict(int x, int y) {
     const std::ptrdiff_t right = x == 3 ? 1 : 0;
     const std::ptrdiff_t below = y == 3 ? stride_ : 0;
     if (x == 0 && y == 0) {
@@ -33,40 +36,68 @@ class LumaBlock {
     } else if (y == 0) {
       each([&](std::ptrdiff_t at) { return mean(across(at), whole(at + right)); });
     } else if (x == 0 && y == 2) {
-      eachDown(0, [](std::ptrdiff_t, ByteVec down) { return down; });
+      eachDown(0, [&](std::ptrdiff_t, ByteVec down, std::ptrdiff_t to) { finish(down, to); });
     } else if (x == 0) {
-      eachDown(0, [&](std::ptrdiff_t at, ByteVec down) { return mean(down, whole(at + below)); });
+      eachDown(0,
+               [&](std::ptrdiff_t at, ByteVec down, std::ptrdiff_t to) { finish(mean(down, whole(at + below)), to); });
     } else if (x != 2 && y != 2) {
-      eachDown(right, [&](std::ptrdiff_t at, ByteVec down) { return mean(across(at + below), down); });
+      eachDown(right,
+               [&](std::ptrdiff_t at, ByteVec down, std::ptrdiff_t to) { finish(mean(across(at + below), down), to); });
     } else {
       predictMiddle(x, y);
     }
   }
 
+  /// The sum of absolute differences from the source.
+  [[nodiscard]] HWY_INLINE int difference() const { return difference_.total(); }
+
  private:
-  using Words = hn::CappedTag<std::int16_t, kSide>;
+  using Words = hn::CappedTag<std::int16_t, 2 * kSide>;
   using Bytes = hn::Rebind<std::uint8_t, Words>;
   using Vec = hn::Vec<Words>;
   using ByteVec = hn::Vec<Bytes>;
   static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Words()));
+  static constexpr bool kPairs = kLanes > kSide;
+  static constexpr int kColumns = kPairs ? kSide : kLanes;  ///< of a vector
+  static constexpr int kLines = kPairs ? kSide / 2 : kSide;
   static constexpr int kTaps = 6;
 
-  template <class Get>
-  HWY_INLINE void each(const Get& get) const {
-    for (int y = 0; y < kSide; ++y) {
-      for (int x = 0; x < kSide; x += kLanes) hn::StoreU(get(y * stride_ + x), Bytes(), to_ + y * kTo + x);
+  static HWY_INLINE ByteVec load(const std::uint8_t* at, std::ptrdiff_t stride) {
+    if constexpr (kPairs) {
+      const hn::Half<Bytes> half;
+      return hn::Combine(Bytes(), hn::LoadU(half, at + kLines * stride), hn::LoadU(half, at));
+    } else {
+      return hn::LoadU(Bytes(), at);
     }
   }
-  /// `get` also gets the pixels filtered down the column that is `right` of it.
+  HWY_INLINE void store(ByteVec value, std::ptrdiff_t to) const {
+    if constexpr (kPairs) {
+      const hn::Half<Bytes> half;
+      hn::StoreU(hn::LowerHalf(half, value), half, to_ + to);
+      hn::StoreU(hn::UpperHalf(half, value), half, to_ + to + kLines * kTo);
+    } else {
+      hn::StoreU(value, Bytes(), to_ + to);
+    }
+  }
+  HWY_INLINE void finish(ByteVec value, std::ptrdiff_t to) {
+    store(value, to);
+    difference_.add(value, load(source_ + to, kTo));
+  }
   template <class Get>
-  HWY_INLINE void eachDown(std::ptrdiff_t right, const Get& get) const {
-    for (int x = 0; x < kSide; x += kLanes) {
+  HWY_INLINE void each(const Get& get) {
+    for (int y = 0; y < kLines; ++y) {
+      for (int x = 0; x < kSide; x += kColumns) finish(get(y * stride_ + x), y * kTo + x);
+    }
+  }
+  /// `take` gets a place, the pixels filtered down the column that is `right` of it, and where they belong.
+  template <class Take>
+  HWY_INLINE void eachDown(std::ptrdiff_t right, const Take& take) {
+    for (int x = 0; x < kSide; x += kColumns) {
       const auto row = [&](int y) { return word(y * stride_ + x + right); };
       Vec a = row(-2), b = row(-1), c = row(0), d = row(1), e = row(2);
-      for (int y = 0; y < kSide; ++y) {
+      for (int y = 0; y < kLines; ++y) {
         const Vec f = row(y + 3);
-        const ByteVec down = rounded(taps(hn::Add(a, f), hn::Add(b, e), hn::Add(c, d)));
-        hn::StoreU(get(y * stride_ + x, down), Bytes(), to_ + y * kTo + x);
+        take(y * stride_ + x, rounded(taps(hn::Add(a, f), hn::Add(b, e), hn::Add(c, d))), y * kTo + x);
         a = b;
         b = c;
         c = d;
@@ -75,7 +106,7 @@ class LumaBlock {
       }
     }
   }
-  HWY_INLINE ByteVec whole(std::ptrdiff_t at) const { return hn::LoadU(Bytes(), from_ + at); }
+  HWY_INLINE ByteVec whole(std::ptrdiff_t at) const { return load(from_ + at, stride_); }
   HWY_INLINE Vec word(std::ptrdiff_t at) const { return hn::PromoteTo(Words(), whole(at)); }
   static HWY_INLINE ByteVec mean(ByteVec a, ByteVec b) { return hn::AverageRound(a, b); }
 
@@ -92,11 +123,15 @@ class LumaBlock {
   }
   HWY_INLINE ByteVec across(std::ptrdiff_t at) const { return rounded(filteredAcross(at)); }
 
+  /// Vectors of a line, and values.
+  static constexpr int kParts = kSide / kColumns;
+  static constexpr int kLineValues = kParts * kLanes;
+
   /// The filter down rows that were filtered across, divided by 1024. Sums are divided by four twice so that they fit
   /// into 16 bits; where one saturates, the result is beyond a byte's range anyway.
   static HWY_INLINE ByteVec filteredTwice(const std::int16_t* rows) {
     const Words words;
-    const auto row = [&](int i) { return hn::Load(words, rows + std::ptrdiff_t{i} * kSide); };
+    const auto row = [&](int i) { return hn::Load(words, rows + std::ptrdiff_t{i} * kLineValues); };
     const Vec outer = hn::Add(row(0), row(5));
     const Vec middle = hn::Add(row(1), row(4));
     const Vec inner = hn::Add(row(2), row(3));
@@ -106,62 +141,96 @@ class LumaBlock {
   }
 
   /// `x` or `y` is 2.
-  HWY_INLINE void predictMiddle(int x, int y) const {
+  HWY_INLINE void predictMiddle(int x, int y) {
     const Words words;
-    HWY_ALIGN std::int16_t rows[(kSide + kTaps - 1) * kSide];
-    for (int line = 0; line < kSide + kTaps - 1; ++line) {
-      for (int i = 0; i < kSide; i += kLanes) {
-        hn::Store(filteredAcross((line - 2) * stride_ + i), words, rows + line * kSide + i);
+    HWY_ALIGN std::int16_t rows[(kLines + kTaps - 1) * kLineValues];
+    for (int line = 0; line < kLines + kTaps - 1; ++line) {
+      for (int i = 0; i < kParts; ++i) {
+        hn::Store(filteredAcross((line - 2) * stride_ + i * kColumns), words, rows + line * kLineValues + i * kLanes);
       }
     }
+    /// `other` gets the pixels, their filtered rows, and where they belong.
     const auto middle = [&](const auto& other) {
-      for (int line = 0; line < kSide; ++line) {
-        for (int i = 0; i < kSide; i += kLanes) {
-          hn::StoreU(other(filteredTwice(rows + line * kSide + i), line, i), Bytes(), to_ + line * kTo + i);
+      for (int line = 0; line < kLines; ++line) {
+        for (int i = 0; i < kParts; ++i) {
+          const std::int16_t* const at = rows + line * kLineValues + i * kLanes;
+          const std::ptrdiff_t to = line * kTo + i * kColumns;
+          finish(other(filteredTwice(at), at, to), to);
         }
       }
     };
     if (x == 2 && y == 2) {
-      middle([](ByteVec value, int, int) { return value; });
+      middle([](ByteVec value, const std::int16_t*, std::ptrdiff_t) { return value; });
     } else if (x == 2) {
       const int first = y == 3 ? 3 : 2;
-      middle([&](ByteVec value, int line, int i) {
-        return mean(value, rounded(hn::Load(words, rows + (line + first) * kSide + i)));
+      middle([&](ByteVec value, const std::int16_t* at, std::ptrdiff_t) {
+        return mean(value, rounded(hn::Load(words, at + first * kLineValues)));
       });
     } else {
-      eachDown(x == 3 ? 1 : 0, [&](std::ptrdiff_t, ByteVec down) { return down; });
-      middle([&](ByteVec value, int line, int i) { return mean(value, hn::LoadU(Bytes(), to_ + line * kTo + i)); });
+      eachDown(x == 3 ? 1 : 0, [&](std::ptrdiff_t, ByteVec down, std::ptrdiff_t to) { store(down, to); });
+      middle([&](ByteVec value, const std::int16_t*, std::ptrdiff_t to) { return mean(value, load(to_ + to, kTo)); });
     }
   }
 
   const std::uint8_t* from_;
   std::ptrdiff_t stride_;
+  const std::uint8_t* source_;
   std::uint8_t* to_;
+  DifferenceSum<Bytes> difference_;
 };
 
-/// Section 8.4.2.2.2. `x` and `y`: eighths of a pixel.
-template <int kSide>
-HWY_INLINE void predictChromaSquare(const std::uint8_t* from, std::ptrdiff_t stride, int x, int y, std::uint8_t* to) {
-  const hn::CappedTag<std::uint16_t, kSide> words;
-  const hn::Rebind<std::uint8_t, decltype(words)> bytes;
+/// Section 8.4.2.2.2: kSide rows. `x` and `y`: eighths of a pixel. `load` returns the bytes at an offset, and `store`
+/// gets a row's number and bytes.
+template <int kSide, class Words, class Load, class Store>
+HWY_INLINE void predictChromaRows(Words words, std::ptrdiff_t stride, int x, int y, const Load& load,
+                                  const Store& store) {
+  const hn::Rebind<std::uint8_t, Words> bytes;
   const auto weight = [&](int value) { return hn::Set(words, static_cast<std::uint16_t>(value)); };
   const auto topLeft = weight((8 - x) * (8 - y));
   const auto topRight = weight(x * (8 - y));
   const auto lowLeft = weight((8 - x) * y);
   const auto lowRight = weight(x * y);
-  const auto load = [&](const std::uint8_t* at) { return hn::PromoteTo(words, hn::LoadU(bytes, at)); };
-  auto left = load(from);
-  auto right = load(from + 1);
+  const auto word = [&](std::ptrdiff_t at) { return hn::PromoteTo(words, load(at)); };
+  auto left = word(0);
+  auto right = word(1);
   for (int line = 0; line < kSide; ++line) {
-    from += stride;
-    const auto nextLeft = load(from);
-    const auto nextRight = load(from + 1);
+    const std::ptrdiff_t next = (line + 1) * stride;
+    const auto nextLeft = word(next);
+    const auto nextRight = word(next + 1);
     const auto above = hn::Add(hn::Mul(left, topLeft), hn::Mul(right, topRight));
     const auto below = hn::Add(hn::Mul(nextLeft, lowLeft), hn::Mul(nextRight, lowRight));
     const auto sum = hn::ShiftRight<6>(hn::Add(hn::Add(above, below), hn::Set(words, 32)));
-    hn::StoreU(hn::DemoteTo(bytes, hn::BitCast(hn::RebindToSigned<decltype(words)>(), sum)), bytes, to + line * kTo);
+    store(line, hn::DemoteTo(bytes, hn::BitCast(hn::RebindToSigned<Words>(), sum)));
     left = nextLeft;
     right = nextRight;
+  }
+}
+
+/// Squares of kSide pixels of U and V, side by side in a vector if it has room.
+template <int kSide>
+HWY_INLINE void predictChromaSquares(const std::uint8_t* u, const std::uint8_t* v, std::ptrdiff_t stride, int x, int y,
+                                     std::uint8_t* to) {
+  using Words = hn::CappedTag<std::uint16_t, 2 * kSide>;
+  constexpr std::ptrdiff_t kV = kMacroblock / 2;
+  if constexpr (hn::MaxLanes(Words()) == 2 * kSide) {
+    const hn::Rebind<std::uint8_t, Words> both;
+    const hn::Half<decltype(both)> half;
+    predictChromaRows<kSide>(
+        Words(), stride, x, y,
+        [&](std::ptrdiff_t at) { return hn::Combine(both, hn::LoadU(half, v + at), hn::LoadU(half, u + at)); },
+        [&](int line, auto pixels) {
+          hn::StoreU(hn::LowerHalf(half, pixels), half, to + line * kTo);
+          hn::StoreU(hn::UpperHalf(half, pixels), half, to + line * kTo + kV);
+        });
+  } else {
+    const auto predict = [&](const std::uint8_t* from, std::uint8_t* place) {
+      const hn::Rebind<std::uint8_t, Words> bytes;
+      predictChromaRows<kSide>(
+          Words(), stride, x, y, [&](std::ptrdiff_t at) { return hn::LoadU(bytes, from + at); },
+          [&](int line, auto pixels) { hn::StoreU(pixels, bytes, place + line * kTo); });
+    };
+    predict(u, to);
+    predict(v, to + kV);
   }
 }
 
@@ -178,15 +247,19 @@ HWY_INLINE void forSquares(const std::array<MotionVector, 4>& vectors, const Pre
   }
 }
 
-void predictLuma(const ReferencePicture& reference, int column, int row, const std::array<MotionVector, 4>& vectors,
-                 MacroblockPixels& to) {
+int predictLuma(const ReferencePicture& reference, int column, int row, const std::array<MotionVector, 4>& vectors,
+                const MacroblockPixels& source, MacroblockPixels& to) {
   const BorderedPlane& plane = reference.plane(0);
+  int difference = 0;
   forSquares(vectors, [&](auto side, int left, int top, const MotionVector& vector) {
     const int x = column * kMacroblock + left + (vector.x >> 2);
     const int y = row * kMacroblock + top + (vector.y >> 2);
-    const LumaBlock<side> block(plane.at(x, y), plane.stride, to.luma.data() + top * kTo + left);
+    const std::ptrdiff_t at = top * kTo + left;
+    LumaBlock<side> block(plane.at(x, y), plane.stride, source.luma.data() + at, to.luma.data() + at);
     block.predict(vector.x & 3, vector.y & 3);
+    difference += block.difference();
   });
+  return difference;
 }
 
 void predictChroma(const ReferencePicture& reference, int column, int row, const std::array<MotionVector, 4>& vectors,
@@ -194,11 +267,8 @@ void predictChroma(const ReferencePicture& reference, int column, int row, const
   forSquares(vectors, [&](auto side, int left, int top, const MotionVector& vector) {
     const int x = column * kMacroblock / 2 + left / 2 + (vector.x >> 3);
     const int y = row * kMacroblock / 2 + top / 2 + (vector.y >> 3);
-    for (std::size_t i = 1; i < 3; ++i) {
-      const BorderedPlane& plane = reference.plane(i);
-      std::uint8_t* const place = to.chroma.data() + top / 2 * kTo + left / 2 + (i == 1 ? 0 : 8);
-      predictChromaSquare<side / 2>(plane.at(x, y), plane.stride, vector.x & 7, vector.y & 7, place);
-    }
+    predictChromaSquares<side / 2>(reference.plane(1).at(x, y), reference.plane(2).at(x, y), reference.plane(1).stride,
+                                   vector.x & 7, vector.y & 7, to.chroma.data() + top / 2 * kTo + left / 2);
   });
 }
 
@@ -212,9 +282,9 @@ namespace grove::stream::h264 {
 HWY_EXPORT(predictLuma);
 HWY_EXPORT(predictChroma);
 
-void predictLuma(const ReferencePicture& reference, int column, int row, const std::array<MotionVector, 4>& vectors,
-                 MacroblockPixels& to) {
-  HWY_DYNAMIC_DISPATCH(predictLuma)(reference, column, row, vectors, to);
+int predictLuma(const ReferencePicture& reference, int column, int row, const std::array<MotionVector, 4>& vectors,
+                const MacroblockPixels& source, MacroblockPixels& to) {
+  return HWY_DYNAMIC_DISPATCH(predictLuma)(reference, column, row, vectors, source, to);
 }
 
 void predictChroma(const ReferencePicture& reference, int column, int row, const std::array<MotionVector, 4>& vectors,

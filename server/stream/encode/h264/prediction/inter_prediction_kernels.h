@@ -11,8 +11,10 @@ namespace grove::stream::h264 {
 // Kernels: predict a macroblock from the reference, an 8 x 8 block of luma per vector, row by row (ITU-T H.264, section
 // 8.4.2.2). Blocks may reach beyond the picture by ReferencePicture::kBorder - 3 pixels.
 
-void predictLuma(const ReferencePicture& reference, int column, int row, const std::array<MotionVector, 4>& vectors,
-                 MacroblockPixels& to);
+/// Returns how far the prediction is from the source: the sum of absolute differences.
+[[nodiscard]] int predictLuma(const ReferencePicture& reference, int column, int row,
+                              const std::array<MotionVector, 4>& vectors, const MacroblockPixels& source,
+                              MacroblockPixels& to);
 void predictChroma(const ReferencePicture& reference, int column, int row, const std::array<MotionVector, 4>& vectors,
                    MacroblockPixels& to);
 

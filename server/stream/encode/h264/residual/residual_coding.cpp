@@ -17,26 +17,21 @@ constexpr std::array<std::uint32_t, 4> kLumaQuarters{0x0033, 0x00CC, 0x3300, 0xC
 constexpr int kMuch = 9;
 
 /// How much a block's coefficients are worth: lone ones of level 1 count little, the less the higher their frequency.
-int worth(const Block& block) {
+int worth(const LevelBits& block) {
   constexpr std::array<int, 16> kByRun{3, 2, 2, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-  const auto isLarge = [](std::int16_t level) { return static_cast<std::uint16_t>(level + 1) > 2; };
-  if (std::ranges::count_if(block, isLarge) > 0) return kMuch;
+  if (block.large != 0) return kMuch;
   int sum = 0;
-  std::size_t run = 0;
-  for (const std::uint8_t place : kScan) {
-    if (block[place] == 0) {
-      ++run;
-      continue;
-    }
-    sum += kByRun[run];
-    run = 0;
+  for (std::uint32_t left = block.nonZero; left != 0;) {
+    const int run = std::countr_zero(left);
+    sum += kByRun[static_cast<std::size_t>(run)];
+    left >>= run + 1;
   }
   return sum;
 }
 
 /// Of the blocks whose bits are set.
 template <std::size_t kCount>
-int worth(std::uint32_t bits, const std::array<Block, kCount>& blocks) {
+int worth(std::uint32_t bits, const std::array<LevelBits, kCount>& blocks) {
   int sum = 0;
   for (std::uint32_t left = bits; left != 0 && sum < kMuch; left &= left - 1) {
     sum += worth(blocks[static_cast<std::size_t>(std::countr_zero(left))]);
@@ -49,7 +44,7 @@ void dropLoneLuma(Residual& residual) {
   constexpr int kWorth = 6;
   int sum = 0;
   for (const std::uint32_t quarter : kLumaQuarters) {
-    const int ofQuarter = worth(residual.lumaBlocks & quarter, residual.luma);
+    const int ofQuarter = worth(residual.lumaBlocks & quarter, residual.lumaBits);
     if (ofQuarter < kQuarterWorth) {
       residual.lumaBlocks &= ~quarter;
     } else {
@@ -62,7 +57,7 @@ void dropLoneLuma(Residual& residual) {
 void dropLoneChroma(Residual& residual) {
   constexpr int kWorth = 7;
   for (const std::uint32_t plane : {0x0FU, 0xF0U}) {
-    if (worth(residual.chromaBlocks & plane, residual.chroma) < kWorth) residual.chromaBlocks &= ~plane;
+    if (worth(residual.chromaBlocks & plane, residual.chromaBits) < kWorth) residual.chromaBlocks &= ~plane;
   }
 }
 
@@ -196,14 +191,18 @@ void quantiseResidual(const MacroblockPixels& source, const MacroblockPixels& pr
 void reconstruct(const CodedMacroblock& macroblock, const MacroblockPixels& prediction,
                  const Quantisations& quantisations, int quantiser, int column, int row, ReferencePicture& to) {
   const bool intra = macroblock.kind == MacroblockKind::kIntra;
-  if (!intra && !macroblock.hasResidual()) return writeMacroblock(prediction, column, row, to);
   const auto rowsOf = [&](std::size_t plane, int side) {
     return PixelRows{to.plane(plane).at(column * side, row * side), to.plane(plane).stride};
   };
-  const Quantisation& luma = quantisations.of(quantiser, intra);
-  std::array<std::int16_t, 16> lumaDc{};
-  if (intra) lumaDc = restoredLumaDc(macroblock.lumaDcLevels, luma);
-  restoreLuma(macroblock.residual, luma, intra ? lumaDc.data() : nullptr, prediction, rowsOf(0, 16));
+  if (intra || macroblock.lumaPattern != 0) {
+    const Quantisation& luma = quantisations.of(quantiser, intra);
+    std::array<std::int16_t, 16> lumaDc{};
+    if (intra) lumaDc = restoredLumaDc(macroblock.lumaDcLevels, luma);
+    restoreLuma(macroblock.residual, luma, intra ? lumaDc.data() : nullptr, prediction, rowsOf(0, 16));
+  } else {
+    writeLuma(prediction, column, row, to);
+  }
+  if (macroblock.chromaPattern == 0) return writeChroma(prediction, column, row, to);
   const Quantisation& chroma = quantisations.of(chromaQuantiser(quantiser), intra);
   const auto chromaDc = restoredChromaDc(macroblock, chroma);
   restoreChroma(macroblock.residual, chroma, chromaDc.data(), prediction, rowsOf(1, 8), rowsOf(2, 8));

@@ -9,10 +9,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "stream/encode/h264/residual/level_bits_inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace grove::stream::h264::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
 
 /// A row of up to four blocks.
 using Values = hn::CappedTag<std::int16_t, 16>;
@@ -102,20 +102,29 @@ HWY_INLINE Rows coefficientsOf(const std::uint8_t* source, const std::uint8_t* p
 HWY_INLINE std::uint32_t quantiseBlocks(const Rows& coefficients, const Quantisation& by, bool withoutDc, Block* to,
                                         std::int16_t* dc) {
   const Quads quads;
-  HWY_ALIGN std::uint64_t first[kBlocks];
-  hn::Store(hn::BitCast(quads, coefficients.v[0]), quads, first);
   QuadVec levels[4];
   for (std::size_t x = 0; x < 4; ++x) {
     levels[x] = hn::BitCast(quads, quantised(coefficients.v[x], by.factor.data() + 4 * x, by.bias.data() + 4 * x));
   }
-  if (withoutDc) levels[0] = hn::AndNot(hn::Set(quads, 0xFFFF), levels[0]);
-  hn::StoreInterleaved4(levels[0], levels[1], levels[2], levels[3], quads, reinterpret_cast<std::uint64_t*>(to));
-  HWY_ALIGN std::uint64_t any[kBlocks];
-  hn::Store(hn::Or(hn::Or(levels[0], levels[1]), hn::Or(levels[2], levels[3])), quads, any);
+  if (withoutDc) {
+    levels[0] = hn::AndNot(hn::Set(quads, 0xFFFF), levels[0]);
+    HWY_ALIGN std::uint64_t first[kBlocks];
+    hn::Store(hn::BitCast(quads, coefficients.v[0]), quads, first);
+    for (int i = 0; i < kBlocks; ++i) dc[i] = static_cast<std::int16_t>(first[i] & 0xFFFF);
+  }
+  const QuadVec any = hn::Or(hn::Or(levels[0], levels[1]), hn::Or(levels[2], levels[3]));
+  const auto zero = hn::Zero(quads);
+  auto* const places = reinterpret_cast<std::uint64_t*>(to);
+  if (hn::AllTrue(quads, hn::Eq(any, zero))) {
+    for (int i = 0; i < 4; ++i) hn::Store(zero, quads, places + i * kBlocks);
+    return 0;
+  }
+  hn::StoreInterleaved4(levels[0], levels[1], levels[2], levels[3], quads, places);
+  HWY_ALIGN std::uint64_t ofBlock[kBlocks];
+  hn::Store(any, quads, ofBlock);
   std::uint32_t blocks = 0;
   for (int i = 0; i < kBlocks; ++i) {
-    dc[i] = static_cast<std::int16_t>(first[i] & 0xFFFF);
-    if (any[i] != 0) blocks |= 1U << i;
+    if (ofBlock[i] != 0) blocks |= 1U << i;
   }
   return blocks;
 }
@@ -130,6 +139,7 @@ void quantiseLuma(const MacroblockPixels& source, const MacroblockPixels& predic
                                     withoutDc, &to.luma[index], &to.lumaDc[index])
                      << block;
   }
+  findLevelBits(to.lumaBlocks, to.luma.data(), to.lumaBits.data());
 }
 
 /// The places in a Residual of the blocks of a row of chroma's pixels: two of U, two of V.
@@ -153,6 +163,7 @@ void quantiseChroma(const MacroblockPixels& source, const MacroblockPixels& pred
       }
     }
   }
+  findLevelBits(to.chromaBlocks, to.chroma.data(), to.chromaBits.data());
 }
 
 /// Restores kBlocks blocks: returns what is to be added to their four rows of pixels.

@@ -10,7 +10,7 @@ namespace grove::stream::h264 {
 
 // Kernels: transform and quantisation of a macroblock's residual (ITU-T H.264, section 8.5), and its restoration.
 
-/// Fills in what concerns luma. `withoutDc`: the quantised blocks have none (intra 16 x 16).
+/// Fills in what concerns luma, lumaDc only `withoutDc`: the quantised blocks have none then (intra 16 x 16).
 void quantiseLuma(const MacroblockPixels& source, const MacroblockPixels& prediction, const Quantisation& quantisation,
                   bool withoutDc, Residual& to);
 /// Fills in what concerns chroma.

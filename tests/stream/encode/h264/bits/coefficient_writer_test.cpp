@@ -10,6 +10,8 @@
 namespace grove::stream::h264 {
 namespace {
 
+using Bytes = std::vector<std::uint8_t>;
+
 /// The bits of coefficients, without what fills the last byte.
 std::string bitsOf(const std::vector<std::int16_t>& levels, Context context) {
   BitWriter bits;
@@ -27,6 +29,28 @@ std::string bitsOf(const std::vector<std::int16_t>& levels, Context context) {
 TEST(CoefficientWriter, WritesKnownBlocks) {
   EXPECT_EQ(bitsOf({0, 3, 0, 1, -1, -1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}, 0), "000010001110010111101101");
   EXPECT_EQ(bitsOf({-2, 4, 3, -3, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 0), "000000011010001001000010111001100");
+}
+
+// Faults: a block whose coefficients are written in another order than the scan's, or with one of frequency 0 that it
+// does not have.
+TEST(CoefficientWriter, WritesBlocksInTheOrderOfTheScan) {
+  const auto bitsOfBlock = [](bool withoutDc) {
+    const std::vector<std::int16_t> levels{0, 3, 0, 1, -1, -1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0};
+    Block block{};
+    for (std::size_t i = 0; i < 16; ++i) block[kScan[i]] = levels[i];
+    BitWriter bits;
+    writeBlock(block, {.nonZero = 0b10111010, .large = 0b10, .negative = 0b110000}, withoutDc, 0, bits);
+    bits.finish();
+    return Bytes(bits.bytes().begin(), bits.bytes().end());
+  };
+  const auto bytesOf = [](const std::vector<std::int16_t>& levels) {
+    BitWriter bits;
+    writeCoefficients(levels, 0, bits);
+    bits.finish();
+    return Bytes(bits.bytes().begin(), bits.bytes().end());
+  };
+  EXPECT_EQ(bitsOfBlock(false), bytesOf({0, 3, 0, 1, -1, -1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(bitsOfBlock(true), bytesOf({3, 0, 1, -1, -1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}));
 }
 
 // Faults: contexts that choose the wrong table (table 9-5), and what stands for nothing in each.

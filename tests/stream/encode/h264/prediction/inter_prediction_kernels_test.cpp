@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <random>
 
 #include "each_target.h"
@@ -104,8 +105,15 @@ ReferencePicture randomReference(std::mt19937& random, bool extreme) {
 }
 
 void expectAsPlain(const ReferencePicture& picture, int column, int row, const std::array<MotionVector, 4>& vectors) {
+  MacroblockPixels source{};
+  for (std::size_t i = 0; i < source.luma.size(); ++i) source.luma[i] = static_cast<std::uint8_t>(37 * i);
   MacroblockPixels predicted{};
-  predictLuma(picture, column, row, vectors, predicted);
+  const int difference = predictLuma(picture, column, row, vectors, source, predicted);
+  int expectedDifference = 0;
+  for (std::size_t i = 0; i < source.luma.size(); ++i) {
+    expectedDifference += std::abs(source.luma[i] - predicted.luma[i]);
+  }
+  EXPECT_EQ(difference, expectedDifference);
   predictChroma(picture, column, row, vectors, predicted);
   int differences = 0;
   for (int y = 0; y < 16; ++y) {

@@ -121,7 +121,35 @@ void expectBlock(const Matrix& coefficients, const Quantisation& by, bool withou
   }
   EXPECT_EQ(differences, 0);
   EXPECT_EQ(coded, any);
-  EXPECT_EQ(dc, coefficients[0][0]);
+  if (withoutDc) {
+    EXPECT_EQ(dc, coefficients[0][0]);
+  }
+}
+
+void expectBits(const Block& block, const LevelBits& bits) {
+  for (std::size_t i = 0; i < 16; ++i) {
+    const int value = block[kScan[i]];
+    EXPECT_EQ(bits.nonZero >> i & 1, value != 0 ? 1 : 0) << value;
+    EXPECT_EQ(bits.large >> i & 1, std::abs(value) > 1 ? 1 : 0) << value;
+    EXPECT_EQ(bits.negative >> i & 1, value < 0 ? 1 : 0) << value;
+  }
+}
+
+// Faults: places that are not the scan's, a great level that counts as 0, 1 or of the other sign when it is narrowed.
+TEST(ResidualKernels, DescribeLevels) {
+  tests::onEachTarget([&] {
+    forMacroblocks([](const MacroblockPixels& source, const MacroblockPixels& prediction, const Quantisation& by) {
+      Residual residual;
+      quantiseLuma(source, prediction, by, false, residual);
+      quantiseChroma(source, prediction, by, residual);
+      for (std::size_t block = 0; block < 16; ++block) {
+        if ((residual.lumaBlocks >> block & 1U) != 0) expectBits(residual.luma[block], residual.lumaBits[block]);
+      }
+      for (std::size_t block = 0; block < 8; ++block) {
+        if ((residual.chromaBlocks >> block & 1U) != 0) expectBits(residual.chroma[block], residual.chromaBits[block]);
+      }
+    });
+  });
 }
 
 // Faults: rows and columns exchanged, blocks or planes mixed up, a DC coefficient kept or lost, sums that overflow.

@@ -1,4 +1,4 @@
-#include "stream/encode/jpeg_encoder.h"
+#include "stream/encode/jpeg/jpeg_compressor.h"
 
 #include <turbojpeg.h>
 
@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "stream/protocol/protocol.h"
 
 namespace grove::stream {
 namespace {
@@ -33,21 +32,20 @@ Quantiser quantiserOf(int quality) {
 
 void TurboJpegDeleter::operator()(void* handle) const noexcept { tjDestroy(handle); }
 
-JpegEncoder::JpegEncoder(int quality) : quality_(quality), handle_(tjInitCompress()) {
+JpegCompressor::JpegCompressor(int quality) : quality_(quality), handle_(tjInitCompress()) {
   assert(quality >= 1 && quality <= 100);
   if (!handle_) throw EnvironmentError(tjGetErrorStr2(nullptr), "JPEG encoder", "");
 }
 
-std::uint8_t JpegEncoder::codec() const noexcept { return kCodecJpeg; }
-
-QuantiserRange JpegEncoder::range() const noexcept {
+QuantiserRange JpegCompressor::range() const noexcept {
   return {.finest = quantiserOf(std::max(quality_, kFinestQuality)),
           .usual = quantiserOf(quality_),
           .coarsest = quantiserOf(std::min(quality_, kCoarsestQuality))};
 }
 
-bool JpegEncoder::encode(const raster::YuvImage& picture, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
-  const unsigned long max = tjBufSize(picture.width(), picture.height(), TJSAMP_420);
+void JpegCompressor::compress(const raster::YuvImage& picture, const world::Rect& part, Quantiser quantiser,
+                              std::vector<std::uint8_t>& out) {
+  const unsigned long max = tjBufSize(part.width(), part.height(), TJSAMP_420);
   if (max > scratchBytes_) {
     scratch_ = std::make_unique_for_overwrite<unsigned char[]>(max);
     scratchBytes_ = max;
@@ -55,16 +53,16 @@ bool JpegEncoder::encode(const raster::YuvImage& picture, const EncodeOrder& ord
   }
   unsigned char* bytes = scratch_.get();
   unsigned long size = scratchBytes_;
-  std::array<const unsigned char*, 3> planes{picture.y(), picture.u(), picture.v()};
+  const std::ptrdiff_t chroma = picture.chromaAt(part.left, part.top);
+  std::array<const unsigned char*, 3> planes{picture.y() + picture.lumaAt(part.left, part.top), picture.u() + chroma,
+                                             picture.v() + chroma};
   const std::array<int, 3> strides{picture.width(), picture.width() / 2, picture.width() / 2};
-  const int quality = qualityOf(std::clamp(order.quantiser, range().finest, range().coarsest));
-  const int failed =
-      tjCompressFromYUVPlanes(handle_.get(), planes.data(), picture.width(), strides.data(), picture.height(),
-                              TJSAMP_420, &bytes, &size, quality, TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT);
+  const int quality = qualityOf(std::clamp(quantiser, range().finest, range().coarsest));
+  const int failed = tjCompressFromYUVPlanes(handle_.get(), planes.data(), part.width(), strides.data(), part.height(),
+                                             TJSAMP_420, &bytes, &size, quality, TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT);
   if (failed != 0) throw EnvironmentError(tjGetErrorStr2(handle_.get()), "JPEG encoder", "");
   touchedBytes_ = std::max(touchedBytes_, size);
   out.insert(out.end(), bytes, bytes + size);
-  return true;
 }
 
 }  // namespace grove::stream

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "stream/encode/jpeg_encoder.h"
+#include "stream/encode/jpeg/jpeg_encoder.h"
 
 namespace grove::stream {
 

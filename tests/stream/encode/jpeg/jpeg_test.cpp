@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "stream/encode/bit_stream.h"
-#include "stream/encode/jpeg_decoder.h"
-#include "stream/encode/jpeg_encoder.h"
+#include "stream/encode/jpeg/jpeg_decoder.h"
+#include "stream/encode/jpeg/jpeg_encoder.h"
 #include "yuv_pictures.h"
 
 namespace grove::stream {

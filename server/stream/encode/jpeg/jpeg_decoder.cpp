@@ -1,4 +1,4 @@
-#include "stream/encode/jpeg_decoder.h"
+#include "stream/encode/jpeg/jpeg_decoder.h"
 
 #include <turbojpeg.h>
 
