@@ -51,6 +51,12 @@ export function megabytes(value) {
   return value >= 999.5 ? `${plain(value / 1000)} GB` : `${plain(value)} MB`;
 }
 
+/** From megabits a second: 40 kbit/s, 4.2 Mbit/s. */
+export function bitRate(value) {
+  if (known(value) === null) return kUnknown;
+  return value < 0.9995 ? `${plain(value * 1000)} kbit/s` : `${value.toFixed(1)} Mbit/s`;
+}
+
 /** `1 visitor`, `8 visitors`. */
 export function visitors(count) {
   return kStatistics.visitors(count, whole(count));

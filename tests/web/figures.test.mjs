@@ -1,14 +1,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { fixed, known, megabytes, milliseconds, percent, plain, share, visitors, whole } from '../../web/figures.js';
+import { bitRate, fixed, known, megabytes, milliseconds, percent, plain, share, visitors, whole } from '../../web/figures.js';
 
 const kOdd = [null, undefined, NaN, Infinity, -1, '7', {}, true];
 
 test('malformed figures are unknown', () => {
   for (const odd of kOdd) {
     assert.equal(known(odd), null);
-    for (const tell of [plain, share, percent, milliseconds, megabytes, whole]) assert.equal(tell(odd), '\u2013');
+    for (const tell of [bitRate, plain, share, percent, milliseconds, megabytes, whole]) assert.equal(tell(odd), '\u2013');
     assert.equal(fixed(odd, 2), '\u2013');
   }
   assert.equal(known(0), 0);
@@ -30,5 +30,6 @@ test('99.9 % is not shown as 100 %, nor 0.1 % as 0', () => {
 test('chooses fitting units', () => {
   assert.equal(milliseconds(14.5128), '14.5 ms');
   assert.deepEqual([0.04, 752.1, 1439].map(megabytes), ['0.04 MB', '752 MB', '1.44 GB']);
+  assert.deepEqual([0, 0.04, 0.9996, 16].map(bitRate), ['0 kbit/s', '40.0 kbit/s', '1.0 Mbit/s', '16.0 Mbit/s']);
   assert.deepEqual([0, 1, 8].map(visitors), ['0 visitors', '1 visitor', '8 visitors']);
 });

@@ -1,5 +1,5 @@
 import { perUser } from '../amortization.js';
-import { kUnknown, known, milliseconds, percent, plain, visitors, whole } from '../figures.js';
+import { bitRate, kUnknown, known, milliseconds, percent, plain, visitors, whole } from '../figures.js';
 import { LimitedBy } from '../stream/protocol.js';
 import { kRows, kStatistics } from '../texts.js';
 
@@ -30,7 +30,7 @@ const kFigures = {
 
   percentiles: ({ latencyPercentiles: { p50, p95, p99 } }) =>
     p50 !== null && `${[p50, p95, p99].map((value) => value.toFixed(0)).join(' / ')} ms`,
-  rate: (reading) => `${reading.megabitsPerSecond.toFixed(1)} Mbit/s`,
+  rate: (reading) => bitRate(reading.megabitsPerSecond),
   codec: (reading) => reading.codec,
   size: (reading) => reading.width !== null && `${reading.width} \u00d7 ${reading.height}`,
   visitors: (reading) => reading.visitors !== null && String(reading.visitors),
@@ -39,7 +39,7 @@ const kFigures = {
   version: (reading) => reading.version,
 
   goal: ofStatus(({ framesPerSecond }) => kStatistics.framesPerSecond(framesPerSecond)),
-  carries: ofStatus(({ kilobitsPerSecond }) => kilobitsPerSecond > 0 && `${plain(kilobitsPerSecond / 1000)} Mbit/s`),
+  carries: ofStatus(({ kilobitsPerSecond }) => kilobitsPerSecond > 0 && bitRate(kilobitsPerSecond / 1000)),
   roundTrip: ofStatus(({ roundTripMilliseconds }) => `${roundTripMilliseconds} ms`),
   lateLook: ({ lateLook }) => lateLook,
 

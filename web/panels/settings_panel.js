@@ -1,4 +1,4 @@
-import { kUnknown } from '../figures.js';
+import { bitRate, kUnknown } from '../figures.js';
 import { kChoices, kSettings, kStatistics } from '../texts.js';
 
 /** Time between updates of the line about the stream. Milliseconds. */
@@ -8,7 +8,7 @@ const kInterval = 500;
 export function streamInWords({ codec, width, height, framesPerSecond, megabitsPerSecond }) {
   if (width === null) return kUnknown;
   const parts = [codec, `${width} \u00d7 ${height}`, kStatistics.framesPerSecond(framesPerSecond)];
-  return [...parts, `${megabitsPerSecond.toFixed(1)} Mbit/s`].join(', ');
+  return [...parts, bitRate(megabitsPerSecond)].join(', ');
 }
 
 /** The control's value in the setting's type. */
