@@ -61,6 +61,8 @@ const notice = new Notice(element('notice'), () => {
 
 const nameInAddress = query.get('name');
 
+const stillness = window.matchMedia('(prefers-reduced-motion: reduce)');
+const preferences = () => ({ ...streamPreferences(settings.values), reducedMotion: stillness.matches });
 const hello = () => ({ name: nameInAddress || settings.values.name, ...viewport.size });
 
 const receiver = new ReceiverHome({
@@ -71,7 +73,7 @@ const receiver = new ReceiverHome({
     url: window.location.origin.replace(/^http/, 'ws') + '/',
     hello: hello(),
     hidden: document.hidden,
-    preferences: streamPreferences(settings.values),
+    preferences: preferences(),
     stored: storedItems(() => window.sessionStorage),
   },
   on: (event) => handlers[event.kind](event),
@@ -246,7 +248,7 @@ listenToKeyboard(window, controls, () => settings.values.keys, {
 function apply(values) {
   controls.setSteering(values);
   sound.want(values.sound);
-  receiver.send({ kind: 'preferences', preferences: streamPreferences(values) });
+  receiver.send({ kind: 'preferences', preferences: preferences() });
   receiver.send({ kind: 'hello', hello: hello() });
   writeKeyHints(document, values.keys, labels);
 }
@@ -257,6 +259,7 @@ function relabel() {
 }
 
 settings.onChange(apply);
+stillness.addEventListener('change', () => receiver.send({ kind: 'preferences', preferences: preferences() }));
 apply(settings.values);
 labels.ask(window.navigator).then(relabel);
 window.addEventListener('keydown', (event) => {

@@ -1,4 +1,5 @@
 // The receiver's worker: reports whether it can paint, and takes the canvas if the page accepts.
+import { decodeNearness } from './picture/nearness_grid.js';
 import { Receiver } from './stream/receiver.js';
 
 function canPaint() {
@@ -24,6 +25,7 @@ function begin({ canvas, start }) {
     canvas,
     makeCanvas: () => new OffscreenCanvas(16, 9),
     emit: (event, transfer = []) => postMessage(event, transfer),
+    decodeNearness,
     start,
   });
   receiver.start();

@@ -35,7 +35,7 @@ void addSize(CLI::App* bench, PictureSize& size) {
 
 void addWalk(CLI::App* bench, std::optional<std::string>& walk, double& seconds) {
   bench->add_option("--walk", walk, "File of the walk (default: around the fire)");
-  addNumber(*bench, "--seconds", seconds, 0.1, 600.0, "Seconds of the walk, at 30 frames per second");
+  addNumber(*bench, "--seconds", seconds, 0.1, 600.0, "Seconds of the walk");
 }
 
 /// Accepts multiples of `step`.
@@ -59,6 +59,7 @@ void BenchCommands::addTo(CLI::App& app) {
   addMachine();
   addPipeline();
   addView();
+  addWarp();
 }
 
 void BenchCommands::addAmortize() {
@@ -185,6 +186,24 @@ void BenchCommands::addView() {
   view->add_flag("--json", options.json, "Print one JSON document");
 }
 
+void BenchCommands::addWarp() {
+  BenchWarpOptions& options = warp_;
+  CLI::App* warp = bench_->add_subcommand(
+      "warp", "Measure what pages show of a walk over a slow line: moved pictures against those drawn there");
+  addWalk(warp, options.walk, options.seconds);
+  addSize(warp, options.size);
+  addNumber(*warp, "--delay", options.delay, 0.0, 1000.0, "Round trip of the line in milliseconds");
+  warp->add_option("--pictures", options.pictures, "Pictures that the server sends a second: 60, 30, 20 or 15")
+      ->check(CLI::IsMember({60, 30, 20, 15}))
+      ->capture_default_str();
+  warp->add_option("--lines", options.lines, "Height of the server's pictures (default: of the page's)")
+      ->check(CLI::Range(90, 1080))
+      ->check(multipleOf(2));
+  warp->add_option("--film", options.film,
+                   "Write a film (.y4m) without late walk on the left, and with it on the right");
+  warp->add_flag("--json", options.json, "Print one JSON document");
+}
+
 int BenchCommands::runCapacity() const {
   const BenchAmortizeOptions& options = amortize_;
   if (options.codecs.size() > 1) {
@@ -202,6 +221,7 @@ int BenchCommands::run() const {
   if (bench_->got_subcommand("machine")) return runBenchMachine(machineJson_);
   if (bench_->got_subcommand("pipeline")) return runBenchPipeline(pipeline_);
   if (bench_->got_subcommand("view")) return runBenchView(view_);
+  if (bench_->got_subcommand("warp")) return runBenchWarp(warp_);
   if (!fluid_.solvers) return runBenchFluid(fluid_.options);
   return runBenchFluidSolvers({fluid_.options.grid, fluid_.options.json, fluid_.plot});
 }

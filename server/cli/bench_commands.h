@@ -9,6 +9,7 @@
 #include "cli/bench/lightfield/bench_lightfield.h"
 #include "cli/bench/pipeline/bench_pipeline.h"
 #include "cli/bench/view/bench_view.h"
+#include "cli/bench/warp/bench_warp.h"
 
 namespace CLI {
 class App;
@@ -39,6 +40,7 @@ class BenchCommands {
   void addMachine();
   void addPipeline();
   void addView();
+  void addWarp();
   [[nodiscard]] int runCapacity() const;
 
   CLI::App* bench_ = nullptr;
@@ -50,6 +52,7 @@ class BenchCommands {
   bool machineJson_ = false;
   BenchPipelineOptions pipeline_;
   BenchViewOptions view_;
+  BenchWarpOptions warp_;
 };
 
 }  // namespace grove::cli

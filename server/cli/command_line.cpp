@@ -65,6 +65,7 @@ void addLoad(CLI::App& app, LoadOptions& options) {
   load->add_option("url", options.url, "ws://HOST:PORT/ or wss://HOST:PORT/")->required();
   addNumber(*load, "--sessions", options.sessions, 1, 1024, "Number of visitors");
   addNumber(*load, "--seconds", options.seconds, 0.1, 86400.0, "Seconds to measure");
+  addNumber(*load, "--warm-up", options.warmUp, 0.0, 3600.0, "Seconds that visitors move before");
   addNumber(*load, "--width", options.width, 16, 16384, "Width of a picture in pixels");
   addNumber(*load, "--height", options.height, 16, 16384, "Height of a picture in pixels");
   load->add_flag("--insecure", options.insecure, "With wss://: accept any certificate");
@@ -79,6 +80,7 @@ void addLoad(CLI::App& app, LoadOptions& options) {
                           ->expected(0, 1);
   CLI::Option* look = load->add_flag("--look", options.look, "Only look around")->excludes(walk);
   load->add_flag("--stand", options.stand, "Stand still; inputs are still sent")->excludes(walk)->excludes(look);
+  load->add_flag("--late-walk", options.lateWalk, "Ask for what pages with late walk need, and take fewer pictures");
   load->add_option("--shape", options.shape, "Shape each visitor's line, as in 5mbit,80ms; see grove shape --help")
       ->type_name("PROFILE");
   load->add_flag("--json", options.json, "Print one JSON document");
@@ -88,8 +90,8 @@ void addShape(CLI::App& app, ShapeOptions& options) {
   CLI::App* shape = app.add_subcommand("shape", "Imitate a bad line: a proxy between browsers and a server");
   shape
       ->add_option("profile", options.profile,
-                   "RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,seed=N], as in 5mbit,80ms,jitter=10ms or "
-                   "5mbit@0s/500kbit@10s,80ms,stall=1s/10s")
+                   "RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,loss=PERCENT][,seed=N], as in "
+                   "5mbit,80ms,jitter=10ms,loss=0.5 or 5mbit@0s/500kbit@10s,80ms,stall=1s/10s")
       ->required();
   shape->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
   shape->add_option("--to", options.target, "Address and port of the server")->required();

@@ -10,6 +10,7 @@
 #include "base/log.h"
 #include "cli/figures.h"
 #include "cli/prepare/prepare_world.h"
+#include "pipeline/clocks.h"
 #include "stream/load/load_client.h"
 
 namespace grove::cli {
@@ -96,7 +97,11 @@ stream::LoadPlan planOf(const LoadOptions& options) {
   plan.seconds = options.seconds;
   plan.width = options.width;
   plan.height = options.height;
-  if (options.codec) plan.codecs = {*options.codec == "h264" ? stream::kCodecH264 : stream::kCodecJpeg};
+  // As pages do.
+  if (options.codec == "h264") plan.codecs = {stream::kCodecH264};
+  if (options.codec == "jpeg") plan.codecs = {stream::kCodecJpegPatches, stream::kCodecJpeg};
+  plan.countFrom = pipeline::wallSeconds() + options.warmUp;
+  plan.lateWalk = options.lateWalk;
   plan.movement = movementOf(options);
   if (!options.walkFile.empty()) plan.follow = walkToFollow(options.walkFile);
   return plan;

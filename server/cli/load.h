@@ -16,6 +16,8 @@ struct LoadOptions {
   bool insecure = false;             ///< accept any certificate
   bool look = false;
   bool stand = false;
+  double warmUp = 0.0;  ///< seconds before the measurement
+  bool lateWalk = false;
   std::string walkFile;              ///< a walk to follow; empty: a stroll
   std::optional<std::string> shape;  ///< see stream::parseLinkProfile()
   bool json = false;

@@ -1,5 +1,9 @@
 #include "cli/version_report.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "base/error.h"
 #include "base/simd/target.h"
 #include "base/version.h"
@@ -30,11 +34,14 @@ std::string graphics() {
 }
 
 std::string codecs() {
-  std::string text;
+  std::vector<std::string> names;  // two kinds of encoders may share a library
   const stream::EncoderRegistry encoders = stream::builtinEncoders(stream::HostOptions{}.jpegQuality);
   for (const stream::EncoderKind& kind : encoders.kinds()) {
-    text.append(text.empty() ? "" : ", ").append(codecName(kind.codec)).append(" (").append(kind.library).append(")");
+    std::string name = codecName(kind.codec) + " (" + kind.library + ")";
+    if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
   }
+  std::string text;
+  for (const std::string& name : names) text.append(text.empty() ? "" : ", ").append(name);
   return text;
 }
 

@@ -61,6 +61,7 @@ bool Players::apply(PlayerId id, const Input& input, double now) {
   if (input.number <= player.lastInput) return true;
   advance(it->second, now);
   player.lastInput = input.number;
+  player.inputTime = now;
   player.keys = input.keys;
   player.pose.yaw = std::remainder(input.yaw, 6.2831853F);
   player.pose.pitch = std::clamp(input.pitch, -kMaxPitch, kMaxPitch);
@@ -84,6 +85,12 @@ std::optional<Player> Players::find(PlayerId id, double now) {
   if (it == entries_.end()) return std::nullopt;
   advance(it->second, now);
   return it->second.player;
+}
+
+Vec3 Players::eyeAhead(Player player, double seconds) const {
+  Entry entry{std::move(player), 0.0};
+  advance(entry, seconds);
+  return entry.player.pose.position;
 }
 
 std::vector<Player> Players::all(double now) {

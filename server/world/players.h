@@ -46,6 +46,7 @@ struct Player {
   Vec3 velocity{0.0F};       ///< metres per second
   float stride = 0.0F;       ///< metres walked, for the gait
   std::uint32_t lastInput = 0;
+  double inputTime = 0.0;  ///< when the last input came, seconds of the clock of Players; known in its process only
   std::uint8_t keys = 0;
 };
 
@@ -76,8 +77,14 @@ class Players {
   void mirror(std::span<const Player> reported, const std::function<bool(PlayerId)>& isReported, double now);
 
   [[nodiscard]] std::optional<Player> find(PlayerId id, double now);
+  /// Returns the eye of a player who keeps pressing the same keys for some seconds.
+  [[nodiscard]] Vec3 eyeAhead(Player player, double seconds) const;
   [[nodiscard]] std::vector<Player> all(double now);
   [[nodiscard]] std::size_t count() const;
+  /// Metres around the origin within which visitors stay.
+  [[nodiscard]] float radius() const noexcept { return radius_; }
+  [[nodiscard]] const std::vector<Obstacle>& obstacles() const noexcept { return obstacles_; }
+  [[nodiscard]] const std::vector<Hill>& hills() const noexcept { return hills_; }
   /// Number of arrivals and departures.
   [[nodiscard]] std::uint64_t changes() const noexcept { return changes_; }
 

@@ -1,15 +1,15 @@
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
+import { after, before, test } from 'node:test';
 
-import { Server, Visitor, difference, launchBrowser, statistics } from './helpers.mjs';
+import { Guests, Server, Visitor, difference, launchBrowser, statistics } from './helpers.mjs';
 
 let server;
 let browser;
-let guests = [];
+const guests = new Guests();
 
 async function arrive(name, options) {
   const visitor = await Visitor.arrive(browser, `${server.url}?name=${name}`, options);
-  guests.push(visitor);
+  guests.add(visitor);
   await visitor.until('connection', 'open');
   await visitor.frames(3);
   return visitor;
@@ -18,12 +18,6 @@ async function arrive(name, options) {
 before(async () => {
   server = await Server.start({ options: ['--scene', 'tests/browser/clearing.toml'] });
   browser = await launchBrowser();
-});
-
-afterEach(async () => {
-  const leaving = guests;
-  guests = [];
-  for (const visitor of leaving) await visitor.leave();
 });
 
 after(async () => {
@@ -95,8 +89,7 @@ test("one sees the other's figure, until they leave", async () => {
     views.push({ side, with: await ada.meanPicture(5), idle: 0 });
     views.at(-1).idle = difference(views.at(-1).with, await ada.meanPicture(5));
   }
-  guests = [ada];
-  await bob.leave();
+  await guests.leave(bob);
   await ada.until('visitors', '1');
   const changes = [];
   for (const view of views) {

@@ -4,6 +4,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { afterEach } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 import { chromium } from 'playwright-core';
@@ -136,13 +137,43 @@ export async function startProcess(command, port, options) {
   };
 }
 
-/** A headless Chromium with an empty profile of its own. */
-export function launchBrowser() {
+/** A running `grove shape`: a line to a server. `profile` as in `grove shape --help`. */
+export async function startLine(server, profile) {
+  const options = ['--listen', '127.0.0.1:0', '--to', new URL(server.url).host, profile];
+  const process = spawn(kBinary, ['shape', ...options], { cwd: kRoot });
+  const ended = new Promise((resolve) => process.on('exit', resolve));
+  const url = await new Promise((resolve, reject) => {
+    let output = '';
+    process.stdout.on('data', (chunk) => {
+      output += chunk;
+      const listening = output.match(/(127\.0\.0\.1:\d+)/);
+      if (listening) resolve(`http://${listening[1]}/`);
+    });
+    process.on('error', reject);
+    process.on('exit', (code) => reject(new Error(`grove shape ended with ${code}`)));
+  });
+  return {
+    url,
+    end: async () => {
+      process.kill();
+      await ended;
+    },
+  };
+}
+
+/** Without these, WebGL and the canvas are computed by the page's own thread. */
+const kGraphics = ['--use-angle=gl-egl', '--ignore-gpu-blocklist', '--enable-gpu'];
+
+/**
+ * A headless Chromium with an empty profile of its own. `graphics`: a process of its own computes WebGL and the canvas, by
+ * Mesa, as a graphics card does: painting takes no time of the page. See keepWebGl().
+ */
+export function launchBrowser({ graphics = false } = {}) {
   return chromium.launch({
     executablePath: kBrowser,
     args: [
       '--no-sandbox',
-      '--disable-gpu',
+      ...(graphics ? kGraphics : ['--disable-gpu']),
       '--disable-quic',
       '--no-first-run',
       '--disable-background-networking',
@@ -150,6 +181,25 @@ export function launchBrowser() {
       '--disable-sync',
     ],
   });
+}
+
+/**
+ * A script for Visitor.arrive(): a browser without a graphics card that claims one, and what its WebGL gave, for the test
+ * to take away. The receiver stays on the page, because a script reaches no worker.
+ */
+export function keepWebGl() {
+  delete window.Worker;
+  const { getParameter } = WebGLRenderingContext.prototype;
+  WebGLRenderingContext.prototype.getParameter = function name(parameter) {
+    const value = getParameter.call(this, parameter);
+    return /swiftshader|llvmpipe/i.test(value) ? 'a graphics card' : value;
+  };
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function keep(kind, options) {
+    const context = getContext.call(this, kind, { ...options, failIfMajorPerformanceCaveat: false });
+    if (kind === 'webgl') window.webGl ??= context.getExtension('WEBGL_lose_context');
+    return context;
+  };
 }
 
 /** One visitor: a page in a context of its own, with everything its console complained about. */
@@ -227,6 +277,30 @@ export class Visitor {
   async leave(expected = null) {
     await this.context.close();
     assert.deepEqual(this.complaints.filter((text) => !expected?.test(text)), []);
+  }
+}
+
+/** The visitors of a test, who leave when it ends. */
+export class Guests {
+  #present = [];
+
+  constructor() {
+    afterEach(async () => {
+      const leaving = this.#present;
+      this.#present = [];
+      for (const { visitor, expected } of leaving) await visitor.leave(expected);
+    });
+  }
+
+  /** `expected` as Visitor.leave() takes it. */
+  add(visitor, expected = null) {
+    this.#present.push({ visitor, expected });
+  }
+
+  /** One leaves before the end. */
+  async leave(visitor) {
+    this.#present = this.#present.filter((guest) => guest.visitor !== visitor);
+    await visitor.leave();
   }
 }
 

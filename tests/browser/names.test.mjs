@@ -1,15 +1,15 @@
 import assert from 'node:assert/strict';
 import { after, afterEach, before, beforeEach, test } from 'node:test';
 
-import { Server, Visitor, launchBrowser } from './helpers.mjs';
+import { Guests, Server, Visitor, launchBrowser } from './helpers.mjs';
 
 let server;
 let browser;
-let guests = [];
+const guests = new Guests();
 
 async function arrive(name, options) {
   const visitor = await Visitor.arrive(browser, `${server.url}?name=${encodeURIComponent(name)}`, options);
-  guests.push(visitor);
+  guests.add(visitor);
   await visitor.until('picture', 'shown');
   return visitor;
 }
@@ -33,9 +33,6 @@ beforeEach(async () => {
 });
 
 afterEach(async () => {
-  const leaving = guests;
-  guests = [];
-  for (const visitor of leaving) await visitor.leave();
   await server?.end();
 });
 
@@ -112,8 +109,7 @@ test('names of any script appear above their figures, as text', async () => {
     const head = topOfDifference(alone, await pixels(ada));
     assert.ok(Math.abs((tag.left + tag.right) / 2 - head.x) < 8, `${name} at ${tag.left} to ${tag.right}, head ${head.x}`);
     assert.ok(tag.bottom < head.y + 6 && tag.bottom > head.y - 24, `${name} ends at ${tag.bottom}, head ${head.y}`);
-    guests = [ada];
-    await other.leave();
+    await guests.leave(other);
     await untilTagged(ada, 0);
   }
 });

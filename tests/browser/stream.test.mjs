@@ -1,22 +1,16 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { after, afterEach, before, test } from 'node:test';
+import { after, before, test } from 'node:test';
 
-import { Server, Visitor, difference, launchBrowser, pause, statistics } from './helpers.mjs';
+import { Guests, Server, Visitor, difference, keepWebGl, launchBrowser, pause, statistics } from './helpers.mjs';
 
 let server;
 let browser;
-let guests = [];
+const guests = new Guests();
 
 before(async () => {
   server = await Server.start({ options: ['--scene', 'tests/browser/clearing.toml'] });
   browser = await launchBrowser();
-});
-
-afterEach(async () => {
-  const leaving = guests;
-  guests = [];
-  for (const { visitor, expected } of leaving) await visitor.leave(expected);
 });
 
 after(async () => {
@@ -27,7 +21,7 @@ after(async () => {
 /** `expected`: what the page may complain about. */
 async function arrive({ script, options, query = '', expected = null } = {}) {
   const visitor = await Visitor.arrive(browser, `${server.url}${query}`, options, script);
-  guests.push({ visitor, expected });
+  guests.add(visitor, expected);
   await visitor.until('connection', 'open');
   await visitor.frames(3);
   return visitor;
@@ -104,22 +98,6 @@ async function drag({ page }, way) {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
-/** A browser without a graphics card that claims one, and what its WebGL gave, for the test to take away. */
-function keepWebGl() {
-  delete window.Worker;
-  const { getParameter } = WebGLRenderingContext.prototype;
-  WebGLRenderingContext.prototype.getParameter = function name(parameter) {
-    const value = getParameter.call(this, parameter);
-    return /swiftshader/i.test(value) ? 'a graphics card' : value;
-  };
-  const { getContext } = HTMLCanvasElement.prototype;
-  HTMLCanvasElement.prototype.getContext = function keep(kind, options) {
-    const context = getContext.call(this, kind, { ...options, failIfMajorPerformanceCaveat: false });
-    if (kind === 'webgl') window.webGl ??= context.getExtension('WEBGL_lose_context');
-    return context;
-  };
-}
-
 const kNoH264 = /^H\.264 does not work here/;
 
 test('on localhost the stream is H.264', async () => {
@@ -145,6 +123,33 @@ test('without a decoder, as on plain http, the stream is JPEG', async () => {
     },
   });
   assert.equal((await ada.state()).codec, 'JPEG');
+});
+
+// Faults: smoke that stands still, a picture of patches only, whole pictures although nothing else moves.
+test('without H.264, only what moves is sent while one stands', async () => {
+  const ada = await arrive({
+    script: () => {
+      delete window.Worker;
+      delete window.VideoDecoder;
+      delete window.ImageDecoder;
+      window.decoded = [];
+      const make = window.createImageBitmap.bind(window);
+      window.createImageBitmap = async (of) => {
+        const image = await make(of);
+        if (of instanceof Blob) window.decoded.push(image.width * image.height);
+        return image;
+      };
+    },
+  });
+  await ada.frames(40);
+  const decoded = await ada.page.evaluate(() => window.decoded);
+  const whole = Math.max(...decoded);
+  const parts = decoded.slice(-20);
+  assert.ok(parts.filter((pixels) => pixels < whole / 2).length > 10, `${parts} of ${whole}`);
+  const before = statistics(await ada.picture());
+  await ada.frames(10);
+  const after = statistics(await ada.picture());
+  assert.ok(before.deviation > 10 && Math.abs(after.mean - before.mean) < 10, JSON.stringify([before, after]));
 });
 
 test('a browser with a broken codec gets JPEG', async () => {
@@ -184,7 +189,7 @@ test('a hidden page gets nothing, and a picture once visible', async () => {
   ada.page = await ada.context.newPage();
   ada.page.on('websocket', (socket) => socket.on('framereceived', () => (received += 1)));
   await ada.page.goto(server.url);
-  guests.push({ visitor: ada });
+  guests.add(ada);
   await ada.until('connection', 'open');
   await ada.frames(5);
   const look = (hidden) =>
@@ -276,8 +281,8 @@ test('latency is measured and exported as a table', async () => {
   const save = ada.page.getByRole('button', { name: 'Save as CSV' });
   const [download] = await Promise.all([ada.page.waitForEvent('download'), save.click()]);
   const [header, ...rows] = readFileSync(await download.path(), 'utf8').trim().split('\n');
-  assert.equal(header, 'number,sent_ms,presented_ms,latency_ms,frame,width,height,codec');
+  assert.equal(header, 'number,sent_ms,presented_ms,latency_ms,frame,width,height,codec,screen_ms');
   assert.ok(rows.length > 0);
-  for (const row of rows) assert.match(row, /^\d+,[\d.]+,[\d.]+,[\d.]+,\d+,640,360,H\.264$/);
+  for (const row of rows) assert.match(row, /^\d+,[\d.]+,[\d.]+,[\d.]+,\d+,640,360,H\.264,[\d.]+$/);
   assert.match(await ada.page.locator('[data-latency=words]').textContent(), /^p50 \d+, p95 \d+, p99 \d+ ms of \d+ inputs$/);
 });

@@ -1,15 +1,15 @@
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
+import { after, before, test } from 'node:test';
 
-import { Server, Visitor, coarseGrove, difference, idleDifference, launchBrowser, pause } from './helpers.mjs';
+import { Guests, Server, Visitor, coarseGrove, difference, idleDifference, launchBrowser, pause } from './helpers.mjs';
 
 let server;
 let browser;
-let guests = [];
+const guests = new Guests();
 
 async function arrive(name, options) {
   const visitor = await Visitor.arrive(browser, `${server.url}?name=${name}`, options);
-  guests.push(visitor);
+  guests.add(visitor);
   await visitor.until('connection', 'open');
   await visitor.frames(3);
   return visitor;
@@ -18,12 +18,6 @@ async function arrive(name, options) {
 before(async () => {
   server = await Server.start({ options: ['--scene', coarseGrove()] });
   browser = await launchBrowser();
-});
-
-afterEach(async () => {
-  const leaving = guests;
-  guests = [];
-  for (const visitor of leaving) await visitor.leave();
 });
 
 after(async () => {

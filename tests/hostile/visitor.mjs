@@ -1,4 +1,5 @@
-import { decodeServerMessage, encodeAck, encodeHello, encodeInput, encodeResize } from '../../web/stream/protocol.js';
+import { encodeAck, encodeHello, encodeInput, encodeResize } from '../../web/stream/client_messages.js';
+import { decodeServerMessage } from '../../web/stream/server_messages.js';
 import { now, within } from './time.mjs';
 import { Opcode, openWebSocket } from './websocket.mjs';
 

@@ -32,11 +32,14 @@ constexpr int kHeight = kSanitized ? 360 : 720;
 constexpr int kGrid = kSanitized ? 16 : 64;
 constexpr int kViews = kSanitized ? 4 : 8;
 
-/// What is held for `work`; of shared work only what visitors do not fill by and by: no caches.
+/// Caches that visitors fill: pictures of objects, and the shadows of figures in every phase of their walk.
+bool isCache(const std::string& holder) { return holder == "buffers" || holder == "shadows"; }
+
+/// What is held for `work`; of shared work no caches.
 double reported(const stream::Host& host, Work work) {
   double sum = 0.0;
   for (const auto& [key, total] : host.memory().totals()) {
-    if (total.work != work || (work == Work::kAcrossUser && key.holder == "buffers")) continue;
+    if (total.work != work || (work == Work::kAcrossUser && isCache(key.holder))) continue;
     sum += static_cast<double>(total.bytes);
   }
   return sum;

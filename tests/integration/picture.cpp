@@ -5,7 +5,7 @@
 #include <thread>
 #include <utility>
 
-#include "stream/encode/jpeg_decoder.h"
+#include "stream/encode/jpeg/jpeg_decoder.h"
 
 namespace grove::integration {
 

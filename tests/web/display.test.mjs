@@ -13,6 +13,7 @@ function setUp() {
   let paint = null;
   const screen = {
     isBehind: false,
+    isMoving: false,
     isTurned: false,
     show: (image) => {
       log.push(`paint ${image.name}`);
@@ -169,4 +170,23 @@ test('times each paint, and marks turned ones', async () => {
   display.turn();
   paint();
   assert.deepEqual(told, ['1 in 3', 'turned 5']);
+});
+
+// Faults: a walk that is shown with each picture only; a page that paints for ever after it.
+test('paints at each frame while the visitor moves, and none at rest', async () => {
+  const { log, screen, display, push, finish, vsync } = setUp();
+  push(1);
+  screen.isMoving = true;
+  await finish('p1');
+  for (let frame = 0; frame < 3; frame += 1) vsync();
+  assert.deepEqual(log.splice(0), ['paint p1', 'presented 1', 'turn', 'turn']);
+  screen.isMoving = false;
+  for (let frame = 0; frame < 3; frame += 1) vsync();
+  assert.deepEqual(log.splice(0), ['turn'], 'the last frame finds the rest');
+  screen.isBehind = true;
+  display.turn();
+  screen.isMoving = true;
+  vsync();
+  vsync();
+  assert.deepEqual(log, ['turn', 'turn'], 'other controls begin it again');
 });

@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import { lookMatrix, turnOf, windowOf, windowPlace } from '../../web/picture/look_geometry.js';
 
 const kPicture = { width: 704, height: 396, border: 10, yaw: 0.7, pitch: -0.3, tanHalfX: 1.1, tanHalfY: 0.61875 };
+const kNowhere = [0, 0, 0];
 
 /** Where in the picture (0 to 1, downwards) the window's point (-1 to 1, upwards) is. */
 function placeOf(matrix, [x, y]) {
@@ -88,14 +89,14 @@ test('picture and window coordinates agree', () => {
     const matrix = lookMatrix(kPicture, turn);
     for (const [x, y] of [[0, 0], [-0.9, 0.8], [0.4, -0.95]]) {
       const [s, t] = placeOf(matrix, [x, y]);
-      const place = windowPlace(kPicture, turn, { x: s, y: t });
+      const place = windowPlace(kPicture, { turn, displacement: kNowhere }, { x: s, y: t });
       near([place.x, place.y], [(1 + x) / 2, (1 - y) / 2]);
     }
   }
   const still = { yaw: 0, pitch: 0 };
-  assert.equal(windowPlace(kPicture, still, { x: 0.01, y: 0.5 }), null, 'in the border');
+  assert.equal(windowPlace(kPicture, { turn: still, displacement: kNowhere }, { x: 0.01, y: 0.5 }), null, 'in the border');
   const behind = { yaw: Math.PI, pitch: 0 };
-  assert.equal(windowPlace({ ...kPicture, pitch: 0 }, behind, { x: 0.5, y: 0.5 }), null, 'behind');
+  assert.equal(windowPlace({ ...kPicture, pitch: 0 }, { turn: behind, displacement: kNowhere }, { x: 0.5, y: 0.5 }), null, 'behind');
 });
 
 test('turns the short way, within the picture', () => {

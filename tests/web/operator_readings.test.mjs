@@ -157,7 +157,7 @@ test('nodes have their own stages, memory and rates', () => {
   assert.deepEqual(processes.stages(), [{ process: 'this server', stages: [] }]);
 });
 
-test('the operator sees by how much the machine shrinks pictures', () => {
+test('the operator sees what a busy machine gives', () => {
   const notes = (statistics) => {
     const elements = new Map();
     const root = {
@@ -172,4 +172,10 @@ test('the operator sees by how much the machine shrinks pictures', () => {
   assert.doesNotMatch(notes(sample()), /machine/);
   assert.doesNotMatch(notes({ ...sample(), picture_scale: 1 }), /machine/);
   assert.match(notes({ ...sample(), picture_scale: 2 / 3 }), /machine is busy.*67 %/);
+  assert.match(notes({ ...sample(), picture_scale: 1, moved_pictures_per_second: 20 }), /machine is busy.*late walk gets 20/);
+  assert.match(
+    notes({ ...sample(), picture_scale: 2 / 3, moved_pictures_per_second: 15 }),
+    /machine is busy.*67 %.*and late walk gets 15/,
+  );
+  assert.doesNotMatch(notes({ ...sample(), picture_scale: 1, moved_pictures_per_second: null }), /machine/);
 });

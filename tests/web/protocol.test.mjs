@@ -3,8 +3,6 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
 import {
-  ProtocolError,
-  decodeServerMessage,
   encodeAck,
   encodeBroken,
   encodeCapture,
@@ -15,7 +13,9 @@ import {
   encodePainted,
   encodePresented,
   encodeResize,
-} from '../../web/stream/protocol.js';
+} from '../../web/stream/client_messages.js';
+import { kSubProtocols } from '../../web/stream/protocol.js';
+import { ProtocolError, decodeServerMessage } from '../../web/stream/server_messages.js';
 
 const golden = JSON.parse(readFileSync(new URL('../stream/protocol/golden_messages.json', import.meta.url), 'utf8'));
 const bytesOf = (hex) => Uint8Array.from(Buffer.from(hex, 'hex')).buffer;
@@ -37,7 +37,7 @@ const encoders = {
 test('every message type has golden bytes', () => {
   const types = new Set(golden.map((entry) => entry.fields.message));
   assert.deepEqual([...types].sort(), [
-    'Ack', 'Broken', 'Capture', 'Captured', 'Frame', 'Hello', 'Input', 'Limits', 'Offer', 'Painted', 'People', 'Picture', 'Presented',
+    'Ack', 'Broken', 'Capture', 'Captured', 'Frame', 'Ground', 'Hello', 'Input', 'Limits', 'Offer', 'Painted', 'People', 'Picture', 'Presented',
     'Refining', 'Resize', 'Status', 'Times', 'Waiting', 'Welcome',
   ]);
 });
@@ -50,7 +50,8 @@ for (const { name, fields, hex } of golden) {
     test(`reads golden ${name}`, () => {
       const message = decodeServerMessage(bytesOf(hex));
       if (message.picture) message.picture = hexOf(message.picture);
-      assert.deepEqual(message, fields);
+      if (message.space) message.space.nearness = hexOf(message.space.nearness);
+      assert.deepEqual(message, fields.message === 'Picture' ? { space: null, ...fields } : fields);
     });
   }
 }
@@ -126,3 +127,99 @@ for (const [what, data] of [
 ]) {
   test(`refuses ${what}`, () => assert.throws(() => decodeServerMessage(data), ProtocolError));
 }
+
+/** The golden picture with labels, with a space of these fields. */
+function spatialPicture({ numbers = [1, 1.75, -2, 1.5, 1.75, -2.5, 0.5, -0.25], since = 12_500, bytes = 3, rest = 0, nearness = '0a0b0c', flags = 3 } = {}) {
+  const { hex } = golden.find((entry) => entry.name === 'picture with labels');
+  const space = new DataView(new ArrayBuffer(40));
+  numbers.forEach((value, i) => space.setFloat32(4 * i, value, true));
+  space.setUint32(32, since, true);
+  space.setUint16(36, bytes, true);
+  space.setUint16(38, rest, true);
+  const headerDigits = 2 * (40 + 2 * 10);
+  const buffer = bytesOf(hex.slice(0, headerDigits) + hexOf(space.buffer) + nearness + hex.slice(headerDigits));
+  new DataView(buffer).setUint8(2, flags);
+  return buffer;
+}
+
+// Fault: depths are read as part of the picture's bytes, or its bytes as depths.
+test('reads the space of a picture', () => {
+  const { space, picture, labels, independent } = decodeServerMessage(spatialPicture());
+  assert.deepEqual({ ...space, nearness: hexOf(space.nearness) }, {
+    eye: [1, 1.75, -2],
+    visitor: [1.5, 1.75, -2.5],
+    velocity: [0.5, -0.25],
+    sinceInput: 12.5,
+    nearness: '0a0b0c',
+  });
+  assert.equal(hexOf(picture), 'ffd8ffd9');
+  assert.equal(labels.length, 2);
+  assert.equal(independent, true);
+  const dependent = decodeServerMessage(spatialPicture({ flags: 2, bytes: 0, nearness: '' }));
+  assert.deepEqual([dependent.independent, dependent.space.nearness.length], [false, 0]);
+  assert.equal(decodeServerMessage(bytesOf(find('Picture').hex)).space, null);
+});
+
+// Faults: a page that reads beyond a message, or walks to a place that is not a number.
+test('refuses a space that is cut short or not of numbers', () => {
+  const whole = hexOf(spatialPicture());
+  for (let length = 0; length <= 40 + 20 + 40 + 3; length += 1) {
+    assert.throws(() => decodeServerMessage(bytesOf(whole.slice(0, 2 * length))), ProtocolError, `${length} bytes`);
+  }
+  for (let i = 0; i < 8; i += 1) {
+    for (const value of [NaN, Infinity]) {
+      const numbers = Array(8).fill(0).with(i, value);
+      assert.throws(() => decodeServerMessage(spatialPicture({ numbers })), ProtocolError);
+    }
+  }
+  assert.throws(() => decodeServerMessage(spatialPicture({ bytes: 7 })), ProtocolError, 'no byte is left for the picture');
+  assert.throws(() => decodeServerMessage(spatialPicture({ bytes: 65535 })), ProtocolError);
+  assert.throws(() => decodeServerMessage(spatialPicture({ rest: 1 })), ProtocolError);
+});
+
+/** A message Ground of these numbers. */
+function groundOf({ hills = [[1, -2, 4, 1.5]], obstacles = [[3, 4, 0.5], [-5, 6, 1]], radius = 30, cut = 0, more = '' } = {}) {
+  const numbers = [radius, ...hills.flat(), ...obstacles.flat()];
+  const view = new DataView(new ArrayBuffer(4 + 4 * numbers.length));
+  view.setUint8(0, 0x8a);
+  view.setUint8(1, hills.length);
+  view.setUint16(2, obstacles.length, true);
+  numbers.forEach((value, i) => view.setFloat32(4 + 4 * i, value, true));
+  return bytesOf(hexOf(view.buffer.slice(0, view.byteLength - cut)) + more);
+}
+
+// Faults: hills taken for obstacles, and the reverse; a page that walks by a ground of nothing.
+test('reads the ground, and refuses a malformed one', () => {
+  assert.deepEqual(decodeServerMessage(groundOf()), {
+    message: 'Ground',
+    radius: 30,
+    hills: [{ x: 1, z: -2, radius: 4, height: 1.5 }],
+    obstacles: [{ x: 3, z: 4, radius: 0.5 }, { x: -5, z: 6, radius: 1 }],
+  });
+  const empty = decodeServerMessage(groundOf({ hills: [], obstacles: [] }));
+  assert.deepEqual([empty.hills, empty.obstacles], [[], []]);
+  const many = (count, part) => Array.from({ length: count }, () => part);
+  decodeServerMessage(groundOf({ hills: many(64, [0, 0, 1, 1]), obstacles: many(4096, [0, 0, 1]) }));
+  for (let cut = 1; cut <= 47; cut += 1) assert.throws(() => decodeServerMessage(groundOf({ cut })), ProtocolError, `${cut}`);
+  for (const bad of [
+    { more: '00' },
+    { hills: many(65, [0, 0, 1, 1]) },
+    { obstacles: many(4097, [0, 0, 1]) },
+    { radius: 0 },
+    { radius: NaN },
+    { radius: Infinity },
+    { hills: [[0, 0, -1, 1]] },
+    { hills: [[0, 0, 1, NaN]] },
+    { obstacles: [[0, 0, 0]] },
+    { obstacles: [[Infinity, 0, 1]] },
+  ]) {
+    assert.throws(() => decodeServerMessage(groundOf(bad)), ProtocolError, JSON.stringify(bad));
+  }
+});
+
+// Fault: servers that know 1.5 get 1.4, or a flag that 1.4 does not know.
+test('requests 1.5 first, and limits carry its flag only when it is set', () => {
+  assert.equal(kSubProtocols[0], 'grove.v1.5');
+  const limits = find('Limits').fields;
+  assert.equal(new Uint8Array(encodeLimits({ ...limits, nearness: true }))[1], new Uint8Array(encodeLimits(limits))[1] | 4);
+});

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { Screen } from '../../web/picture/screen.js';
+import { kNoMovement } from '../../web/walk/prediction.js';
 
 const kPicture = { width: 704, height: 396, border: 10, yaw: 1, pitch: 0, tanHalfX: 1.1, tanHalfY: 0.61875 };
 
@@ -9,7 +10,7 @@ function setUp({ isReady = true } = {}) {
   const log = [];
   const painted = [];
   const open = new Set();
-  const state = { look: { yaw: 1, pitch: 0 } };
+  const state = { look: { yaw: 1, pitch: 0 }, movement: kNoMovement };
   const canvas = {
     width: 16,
     height: 9,
@@ -18,9 +19,17 @@ function setUp({ isReady = true } = {}) {
   const lateLook = {
     isReady,
     take: (image) => log.push(`take ${image.name}`),
-    turned: (picture, turn) => ({ name: `turned ${turn.yaw.toFixed(2)}` }),
+    seen: (picture, { turn, displacement }) => ({
+      name: displacement.some(Boolean) ? `moved ${displacement.join()}` : `turned ${turn.yaw.toFixed(2)}`,
+    }),
   };
-  const screen = new Screen({ canvas, lateLook, look: () => state.look, onPaint: (picture, turn) => painted.push([picture, turn.yaw]) });
+  const screen = new Screen({
+    canvas,
+    lateLook,
+    look: () => state.look,
+    move: () => state.movement,
+    onPaint: (picture, { turn }) => painted.push([picture, turn.yaw]),
+  });
   const image = (name) => {
     const made = { name, close: () => assert.ok(open.delete(name), `${name} closed once`) };
     open.add(name);
@@ -117,4 +126,44 @@ test('a context lost during a turn leaves the picture', () => {
   assert.equal(screen.isBehind, true);
   screen.turn();
   assert.equal(log.at(-1), 'a 32 18 640 360 0 0 640 360');
+});
+
+const kStep = Object.freeze({ displacement: [0.1, 0, -0.2], until: 5, isMoving: true });
+
+// Faults: a step that waits for the next picture; a picture that is moved again and again to the same place.
+test('a step moves the picture, once per place', () => {
+  const { log, state, screen, image } = setUp();
+  screen.show(image('a'), kPicture);
+  assert.equal(screen.isMoving, false);
+  state.movement = kStep;
+  assert.equal(screen.isBehind, true);
+  screen.turn();
+  screen.turn();
+  assert.deepEqual(log.slice(1), ['take a', 'moved 0.1,0,-0.2 0 0']);
+  assert.deepEqual([screen.isMoving, screen.isTurned], [true, true]);
+});
+
+// Fault: a page that goes on painting after the visitor has come to rest, or that stops before.
+test('a visitor at rest is not behind', () => {
+  const { log, state, screen, image } = setUp();
+  state.movement = { ...kNoMovement, isMoving: true };
+  screen.show(image('a'), kPicture);
+  assert.deepEqual([screen.isBehind, screen.isMoving, screen.isTurned], [true, true, false], 'the first step is tiny');
+  state.movement = kStep;
+  screen.turn();
+  state.movement = { ...kStep, isMoving: false };
+  screen.turn();
+  assert.deepEqual([screen.isBehind, screen.isMoving], [false, false]);
+  state.movement = kNoMovement;
+  screen.turn();
+  assert.equal(log.at(-1), 'a 32 18 640 360 0 0 640 360', 'at its own eye, the picture is unchanged');
+});
+
+// Fault: a picture without depths is bent, or a graphics card that is lost keeps the page painting.
+test('without late look nothing moves', () => {
+  const { log, state, screen, image } = setUp({ isReady: false });
+  state.movement = kStep;
+  screen.show(image('a'), kPicture);
+  assert.equal(log[0], 'a 32 18 640 360 0 0 640 360');
+  assert.deepEqual([screen.isBehind, screen.isMoving], [false, false]);
 });

@@ -3,11 +3,12 @@ import { test } from 'node:test';
 
 import { Stream } from '../../web/stream/stream.js';
 
-function setUp({ adapts = true } = {}) {
+function setUp({ adapts = true, isSpatial = true } = {}) {
   const log = [];
   const failed = new Set();
   const connection = {
     adapts,
+    isSpatial,
     acknowledge: ({ frame }) => log.push(`ack ${frame}`),
     sendOffer: (codecs) => log.push(`offer ${codecs}`),
     sendBroken: (frame) => log.push(`broken ${frame}`),
@@ -35,7 +36,7 @@ function setUp({ adapts = true } = {}) {
   return { log, reports, connection, lateLook, stream, decoding };
 }
 
-const kFree = { hidden: false, border: true, framesPerSecond: 0, kilobitsPerSecond: 0, lines: 0 };
+const kFree = { hidden: false, border: true, nearness: true, framesPerSecond: 0, kilobitsPerSecond: 0, lines: 0 };
 
 test('sends its limits on connection, then only changes', () => {
   const { log, stream, lateLook } = setUp();
@@ -50,9 +51,9 @@ test('sends its limits on connection, then only changes', () => {
   assert.deepEqual(log.splice(0), [{ ...kFree, hidden: true }, { ...chosen, hidden: true }, chosen]);
   lateLook.isReady = false;
   stream.tellLimits();
-  assert.deepEqual(log.splice(0), [{ ...chosen, border: false }], 'a border is of use to late look only');
+  assert.deepEqual(log.splice(0), [{ ...chosen, border: false, nearness: false }], 'a border is of use to late look only');
   stream.begin();
-  assert.deepEqual(log.splice(0), ['reset', { ...chosen, border: false }], 'the next server knows nothing yet');
+  assert.deepEqual(log.splice(0), ['reset', { ...chosen, border: false, nearness: false }], 'the next server knows nothing yet');
 });
 
 test('a hidden page reports it after the welcome', () => {
@@ -97,6 +98,20 @@ test('reports the state of late look', () => {
   lateLook.isReady = false;
   assert.equal(stream.lateLookWord, 'off: no fast WebGL');
   assert.equal(stream.turns, false);
+});
+
+// Faults: an older server that gets a flag it does not know; pictures that move for a visitor who asked for stillness.
+test('pictures walk with a server of 1.5, unless motion is to be reduced', () => {
+  const { log, connection, stream } = setUp();
+  assert.equal(stream.walks, true);
+  stream.setPreferences({ reducedMotion: true });
+  assert.deepEqual(log.splice(0), [{ ...kFree, nearness: false }], 'it still turns');
+  assert.deepEqual([stream.turns, stream.walks, stream.lateLookWord], [true, false, 'turning only']);
+  stream.setPreferences({ reducedMotion: false });
+  connection.isSpatial = false;
+  stream.begin();
+  assert.deepEqual(log.splice(1), ['reset', { ...kFree, nearness: false }]);
+  assert.deepEqual([stream.turns, stream.walks], [true, false]);
 });
 
 test('decoding time starts at arrival', () => {

@@ -114,8 +114,24 @@ test('inputs without visible effect are not measured', () => {
   meter.sent(3, 120);
   meter.received(1); // its picture waits for the screen
   meter.obeyed(2);
-  assert.deepEqual(meter.presented(1, 140), [{ number: 1, time: 100, latency: 40 }]);
-  assert.deepEqual(meter.presented(3, 900), [{ number: 3, time: 120, latency: 780 }]);
+  assert.deepEqual(meter.presented(1, 140), [{ number: 1, time: 100, latency: 40, screen: 40 }]);
+  assert.deepEqual(meter.presented(3, 900), [{ number: 3, time: 120, latency: 780, screen: 780 }]);
+});
+
+// Fault: the time until a step is on the screen is that of the server's picture, or of a paint before the input.
+test('a moved picture shows the inputs before it', () => {
+  const meter = new LatencyMeter();
+  meter.sent(1, 100);
+  meter.moved(110, 112);
+  meter.sent(2, 115);
+  meter.moved(115, 118);
+  meter.moved(130, 132);
+  meter.sent(3, 140);
+  assert.deepEqual(meter.presented(3, 260), [
+    { number: 1, time: 100, latency: 160, screen: 12 },
+    { number: 2, time: 115, latency: 145, screen: 17 },
+    { number: 3, time: 140, latency: 120, screen: 120 },
+  ]);
 });
 
 test('a reading has the size of the window without its border', () => {

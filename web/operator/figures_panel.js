@@ -6,30 +6,36 @@ import { write } from './live_table.js';
 /** Figure and note of each tile, from `{ statistics, amortization }`; `amortization` may be `null`. */
 const kTiles = {
   visitors: ({ statistics }) => [whole(statistics.visitors), kOperator.visitorsNote],
-  fps: ({ statistics, amortization: told }) => [plain(told?.framesPerSecond), pictures(statistics.picture_scale)],
-  alpha: ({ amortization: told }) => [share(told?.alpha), shared(kOperator.work, told, told?.alpha)],
-  beta: ({ amortization: told }) => [share(told?.beta), shared(kOperator.memory, told, told?.beta)],
-  cores: ({ amortization: told }) => [
-    plain(told?.cpuCores),
-    told?.cores ? kOperator.coresNote(whole(told.cores), plain(told.visitorCores)) : kOperator.coresUnknown,
+  fps: ({ statistics, amortization }) => [plain(amortization?.framesPerSecond), frameRateNote(statistics)],
+  alpha: ({ amortization }) => [share(amortization?.alpha), shared(kOperator.work, amortization?.alpha)],
+  beta: ({ amortization }) => [share(amortization?.beta), shared(kOperator.memory, amortization?.beta)],
+  cores: ({ amortization }) => [
+    plain(amortization?.cpuCores),
+    amortization?.cores
+      ? kOperator.coresNote(whole(amortization.cores), plain(amortization.visitorCores))
+      : kOperator.coresUnknown,
   ],
-  fit: ({ amortization: told }) => [whole(told?.visitorsFit), room(told)],
+  fit: ({ amortization }) => [whole(amortization?.visitorsFit), room(amortization)],
 };
 
-function pictures(scale) {
-  return scale > 0 && scale < 1 ? kOperator.fpsSmaller(percent(scale)) : kOperator.fpsNote;
+function frameRateNote({ picture_scale: scale, moved_pictures_per_second: rate }) {
+  const limits = [
+    scale > 0 && scale < 1 ? kOperator.fpsSmaller(percent(scale)) : null,
+    rate > 0 ? kOperator.fpsFewer(whole(rate)) : null,
+  ].filter(Boolean);
+  return limits.length > 0 ? kOperator.fpsBusy(limits.join(' and ')) : kOperator.fpsNote;
 }
 
-function shared(what, told, value) {
+function shared(what, value) {
   return (value ?? null) === null ? kOperator.isShared(what) : kOperator.sharedPart(percent(value), what);
 }
 
-function room(told) {
-  if (!told || told.privateVisitorsFit === null) return kOperator.fit;
-  if (told.visitorsFit === 0) return kOperator.fitNone;
-  if (told.privateVisitorsFit === 0) return kOperator.fitNoneAlone;
-  const times = told.visitorsFit / told.privateVisitorsFit;
-  const most = whole(told.privateVisitorsFit);
+function room(amortization) {
+  if (!amortization || amortization.privateVisitorsFit === null) return kOperator.fit;
+  if (amortization.visitorsFit === 0) return kOperator.fitNone;
+  if (amortization.privateVisitorsFit === 0) return kOperator.fitNoneAlone;
+  const times = amortization.visitorsFit / amortization.privateVisitorsFit;
+  const most = whole(amortization.privateVisitorsFit);
   return times <= 1 ? kOperator.fitAlone(most) : kOperator.fitTimes(Number(times.toFixed(1)), most);
 }
 
@@ -54,7 +60,7 @@ export function writeFigures(root, now) {
 export function memoryWords(memory) {
   if (memory === null) return kOperator.memoryUnknown;
   const used = megabytes(memory.resident);
-  return memory.holders.length > 0 ? kOperator.memoryUseOf(used, megabytes(memory.told)) : kOperator.memoryUse(used);
+  return memory.holders.length > 0 ? kOperator.memoryUseOf(used, megabytes(memory.amortization)) : kOperator.memoryUse(used);
 }
 
 /** The result of the bars in a sentence; '' if unknown. */

@@ -7,9 +7,12 @@ import { kLatency } from '../texts.js';
 const kInterval = 50;
 /** Longer than this (s), the table would only fill the memory. */
 const kLongestTest = 600;
-const kColumns = 'number,sent_ms,presented_ms,latency_ms,frame,width,height,codec';
+const kColumns = 'number,sent_ms,presented_ms,latency_ms,frame,width,height,codec,screen_ms';
 
-/** Records the latency of every input for some seconds, in a table. */
+/**
+ * Records the latency of every input for some seconds, in a table: until the server's picture shows the input, and in
+ * the last column until the screen does, which late look may bring forward.
+ */
 export class LatencyTest {
   #clock;
   #sendInput;
@@ -50,12 +53,12 @@ export class LatencyTest {
   presented(inputs, picture, now) {
     if (!this.isRunning) return;
     const { width, height } = windowOf(picture);
-    for (const { number, time, latency } of inputs) {
+    for (const { number, time, latency, screen } of inputs) {
       if (time < this.#begin) continue;
       const times = [time - this.#begin, now - this.#begin, latency].map((value) => value.toFixed(2));
       this.#rows.push({
         latency,
-        cells: [number, ...times, picture.frame, width, height, kCodecNames[picture.codec]],
+        cells: [number, ...times, picture.frame, width, height, kCodecNames[picture.codec], screen.toFixed(2)],
       });
     }
   }

@@ -1,6 +1,7 @@
 /**
  * Paints the newest picture at the next opportunity. At most one waits; a newer one replaces it, and its
- * acknowledgement covers the older. Between pictures, the one on the screen is turned to the newest look.
+ * acknowledgement covers the older. Between pictures, the one on the screen is turned to the newest look, and moved as
+ * long as the visitor walks.
  */
 export class Display {
   #screen;
@@ -16,7 +17,7 @@ export class Display {
    * @param {import('./screen.js').Screen} parts.screen
    * @param {(callback: Function) => void} parts.schedule calls back when the screen can take a picture
    * @param {{now: Function}} parts.clock milliseconds
-   * @param {(paint: number) => void} parts.onTurned after painting a turned picture; `paint`: milliseconds
+   * @param {(paint: number) => void} parts.onTurned after painting a turned or moved picture; `paint`: milliseconds
    * @param {(picture: object, paint: number) => void} parts.onPresented after painting a new picture
    */
   constructor({ screen, schedule, clock, onTurned, onPresented }) {
@@ -34,9 +35,9 @@ export class Display {
     this.#plan();
   }
 
-  /** For a changed look. */
+  /** For a changed look or other controls. */
   turn() {
-    if (this.#screen.isBehind) this.#plan();
+    if (!this.#scheduled && this.#screen.isBehind) this.#plan();
   }
 
   /** Drops the waiting picture; the one on the screen stays. */
@@ -54,10 +55,12 @@ export class Display {
 
   #present() {
     this.#scheduled = false;
-    if (!this.#waiting) {
-      this.#paint(() => this.#screen.turn());
-      return;
-    }
+    if (this.#waiting) this.#presentWaiting();
+    else this.#paint(() => this.#screen.turn());
+    if (this.#screen.isMoving) this.#plan();
+  }
+
+  #presentWaiting() {
     const { image, picture } = this.#waiting;
     this.#waiting = null;
     this.#onPresented(picture, this.#paint(() => this.#screen.show(image, picture)));

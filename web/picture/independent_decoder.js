@@ -14,8 +14,8 @@ export async function decodeJpegToFrame({ picture }) {
 }
 
 /**
- * Decodes pictures that depend on no other, so their order may change; a decoder as in decoders.js. `decode(picture)`
- * resolves to an image.
+ * Decodes each picture by a function; a decoder as in decoders.js. `decode(picture)` resolves to an image. Images may
+ * come in another order than their pictures.
  */
 export class IndependentDecoder {
   #decode;

@@ -1,72 +1,14 @@
-import { lookMatrix, windowOf } from './look_geometry.js';
+import { LookBuffers } from './look_buffers.js';
+import { isMoved, lookMatrix, windowOf } from './look_geometry.js';
+import { isSoftware, kContext, link } from './look_program.js';
 
-const kVertexShader = `
-attribute vec2 place;
-uniform mat3 look;
-varying highp vec3 point;
-void main() {
-  point = look * vec3(place, 1.0);
-  gl_Position = vec4(place, 0.0, 1.0);
-}`;
-
-// Beyond the picture its edge continues, ever darker and, along the edge, more blurred: unknown areas must not look
-// real.
-const kFragmentShader = `
-precision highp float;
-uniform sampler2D picture;
-uniform vec2 halfPixel;
-varying highp vec3 point;
-vec3 colourAt(vec2 place) {
-  return texture2D(picture, clamp(place, halfPixel, 1.0 - halfPixel)).rgb;
-}
-void main() {
-  vec2 place = point.xy / point.z;
-  vec2 outwards = place - clamp(place, 0.0, 1.0);
-  vec3 colour = vec3(0.0);
-  if (outwards == vec2(0.0)) {
-    colour = colourAt(place);
-  } else {
-    for (int i = -6; i <= 6; i += 1) colour += colourAt(place + 0.12 * float(i) * outwards.yx);
-    colour *= exp(-2.5 * length(outwards)) / 13.0;
-  }
-  gl_FragColor = vec4(colour, 1.0);
-}`;
-
-// Software WebGL turns a picture more slowly than the server sends the next, on the processor that decodes it.
-const kContext = Object.freeze({
-  alpha: false,
-  antialias: false,
-  depth: false,
-  stencil: false,
-  failIfMajorPerformanceCaveat: true,
-});
-
-// Not every browser counts these as a major performance caveat.
-const kSoftware = /swiftshader|llvmpipe|softpipe|software|basic render/i;
-
-function isSoftware(gl) {
-  const names = gl.getExtension('WEBGL_debug_renderer_info');
-  return kSoftware.test(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-}
-
-function compile(gl, type, source) {
-  const shader = gl.createShader(type);
-  gl.shaderSource(shader, source);
-  gl.compileShader(shader);
-  return shader;
-}
-
-function link(gl) {
-  const program = gl.createProgram();
-  gl.attachShader(program, compile(gl, gl.VERTEX_SHADER, kVertexShader));
-  gl.attachShader(program, compile(gl, gl.FRAGMENT_SHADER, kFragmentShader));
-  gl.linkProgram(program);
-  return gl.getProgramParameter(program, gl.LINK_STATUS) ? program : null;
-}
+/** The places of the mesh's corners are in the picture already. */
+const kIdentity = Object.freeze([1, 0, 0, 0, 1, 0, 0, 0, 1]);
 
 /**
- * Turns a picture to another direction, on its own canvas. It turns without moving, which needs no depth. So a turn of
- * the head shows at the screen's next frame instead of after a round trip.
+ * Shows a picture in another view, on its own canvas: turned to another direction, which needs no depth, or as from
+ * another eye, by the picture's depths. So turns and steps show at the screen's next frame instead of after a round
+ * trip.
  */
 export class LateLook {
   /** Whether it has no copy of an image; a lost context loses its copy. */
@@ -76,6 +18,7 @@ export class LateLook {
   #onChange;
   #look;
   #halfPixel;
+  #buffers;
   #ready;
   #isTooSlow = false;
 
@@ -123,11 +66,19 @@ export class LateLook {
     this.isEmpty = false;
   }
 
-  /** The copy, turned by these angles (radians), on a canvas that holds it until the end of this task. */
-  turned(picture, turn) {
+  /**
+   * The copy in this view, on a canvas that holds it until the end of this task. `view`: turn (radians) and
+   * displacement (metres), which needs the picture's `depths` (DepthGrid).
+   */
+  seen(picture, view) {
     const gl = this.#gl;
-    gl.uniformMatrix3fv(this.#look, false, lookMatrix(picture, turn));
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    if (isMoved(view.displacement)) {
+      gl.uniformMatrix3fv(this.#look, false, kIdentity);
+      this.#buffers.drawMesh(picture, view);
+    } else {
+      gl.uniformMatrix3fv(this.#look, false, lookMatrix(picture, view.turn));
+      this.#buffers.drawTriangle();
+    }
     return this.#canvas;
   }
 
@@ -145,13 +96,7 @@ export class LateLook {
     gl.useProgram(program);
     this.#look = gl.getUniformLocation(program, 'look');
     this.#halfPixel = gl.getUniformLocation(program, 'halfPixel');
-
-    // One triangle that covers the window has no seam through its middle.
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, Float32Array.of(-1, -1, 3, -1, -1, 3), gl.STATIC_DRAW);
-    const place = gl.getAttribLocation(program, 'place');
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, 2, gl.FLOAT, false, 0, 0);
+    this.#buffers = new LookBuffers(gl, program);
 
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
     for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);

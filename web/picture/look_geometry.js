@@ -47,15 +47,18 @@ export function turnOf(picture, look) {
 
 /**
  * The place in the window of a point in the picture, both as shares of width and height from the top left; `null`
- * outside the window. The inverse of lookMatrix().
+ * outside the window. The inverse of lookMatrix(). If the eye has moved, by `displacement` (metres), it depends on the
+ * point's `nearness`, 1 / view depth.
  */
-export function windowPlace(picture, turn, { x, y }) {
+export function windowPlace(picture, { turn, displacement }, { x, y }, nearness = 0) {
   const inner = windowOf(picture);
   const { tanHalfX, tanHalfY } = picture;
   const from = axes(picture);
   const to = axes({ yaw: picture.yaw + turn.yaw, pitch: picture.pitch + turn.pitch });
   const [across, upwards] = [(2 * x - 1) * tanHalfX, (1 - 2 * y) * tanHalfY];
-  const ray = from.forward.map((value, i) => value + across * from.right[i] + upwards * from.up[i]);
+  const ray = from.forward.map(
+    (value, i) => value + across * from.right[i] + upwards * from.up[i] - nearness * displacement[i],
+  );
   const depth = dot(ray, to.forward);
   const place = {
     x: 0.5 + dot(ray, to.right) / depth / (tanHalfX * inner.width / picture.width) / 2,
@@ -76,7 +79,7 @@ export function windowPlace(picture, turn, { x, y }) {
 export function lookMatrix(picture, turn) {
   const inner = windowOf(picture);
   const [shareX, shareY] = [inner.width / picture.width, inner.height / picture.height];
-  if (turn.yaw === 0 && turn.pitch === 0) return [shareX / 2, 0, 0, 0, -shareY / 2, 0, 0.5, 0.5, 1];
+  if (!isTurned(turn)) return [shareX / 2, 0, 0, 0, -shareY / 2, 0, 0.5, 0.5, 1];
   const { tanHalfX, tanHalfY } = picture;
   const from = axes(picture);
   const to = axes({ yaw: picture.yaw + turn.yaw, pitch: picture.pitch + turn.pitch });
@@ -91,4 +94,23 @@ export function lookMatrix(picture, turn) {
     ...column(to.up, tanHalfY * shareY),
     ...column(to.forward, 1),
   ];
+}
+
+/** Whether a turn (radians) changes the direction. */
+export function isTurned({ yaw, pitch }) {
+  return yaw !== 0 || pitch !== 0;
+}
+
+/** Whether a displacement (metres) moves the eye. */
+export function isMoved(displacement) {
+  return displacement.some((value) => value !== 0);
+}
+
+/** A movement of the eye (metres) in the coordinates of lookMatrix(): s, t and q. */
+export function shiftOf(picture, displacement) {
+  const from = axes(picture);
+  const forwards = dot(displacement, from.forward);
+  const across = dot(displacement, from.right) / picture.tanHalfX;
+  const upwards = dot(displacement, from.up) / picture.tanHalfY;
+  return [(forwards + across) / 2, (forwards - upwards) / 2, forwards];
 }

@@ -1,6 +1,4 @@
 import {
-  CloseCode,
-  decodeServerMessage,
   encodeAck,
   encodeBroken,
   encodeCapture,
@@ -11,9 +9,9 @@ import {
   encodePainted,
   encodePresented,
   encodeResize,
-  kAdaptiveProtocols,
-  kMeasuringProtocols,
-} from './protocol.js';
+} from './client_messages.js';
+import { CloseCode, kAdaptiveProtocols, kMeasuringProtocols, kSpatialProtocols } from './protocol.js';
+import { decodeServerMessage } from './server_messages.js';
 
 /** After this long without a message (ms), the connection counts as lost. */
 const kLongestSilence = 10_000;
@@ -39,6 +37,7 @@ const kListeners = Object.freeze({
   Captured: 'captured',
   Times: 'times',
   People: 'people',
+  Ground: 'ground',
 });
 
 /**
@@ -63,6 +62,7 @@ export class Connection {
   #greeted = false;
   #adapts = false;
   #measures = false;
+  #isSpatial = false;
   #patience = kLongestSilence;
   #lastAcknowledged = 0;
   #size = null;
@@ -84,6 +84,7 @@ export class Connection {
    * @param {(message: object) => void} [parts.on.captured]
    * @param {(message: object) => void} [parts.on.times]
    * @param {(message: object) => void} [parts.on.people]
+   * @param {(message: object) => void} [parts.on.ground]
    * @param {import('./backoff.js').Backoff} parts.backoff
    * @param {() => boolean} parts.mayRetry whether the page is visible: a hidden page neither expects messages nor
    *     retries. The owner calls retry() and listen() when it becomes true
@@ -111,6 +112,11 @@ export class Connection {
   /** Whether the server speaks 1.3 or later, with Painted and Capture. */
   get measures() {
     return this.#greeted && this.#measures;
+  }
+
+  /** Whether the server speaks 1.5 or later, with Ground and the spaces of pictures. */
+  get isSpatial() {
+    return this.#greeted && this.#isSpatial;
   }
 
   start() {
@@ -184,6 +190,7 @@ export class Connection {
     this.#watchSilence();
     socket.onopen = () => {
       this.#adapts = kAdaptiveProtocols.includes(socket.protocol);
+      this.#isSpatial = kSpatialProtocols.includes(socket.protocol);
       this.#measures = kMeasuringProtocols.includes(socket.protocol);
       if (this.#adapts) socket.send(encodeOffer({ codecs: this.#offer() }));
       const hello = this.#hello();

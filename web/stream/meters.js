@@ -68,15 +68,23 @@ export class LatencyMeter {
     this.#received = lastInput;
   }
 
-  /** Returns the inputs that this frame shows first, as `{ number, time, latency }`. */
+  /** The screen shows all inputs that were sent before `until`, by a turn or movement of an older picture. */
+  moved(until, now) {
+    for (const input of this.#waiting) if (input.time < until) input.shown ??= now;
+  }
+
+  /**
+   * Returns the inputs that this frame shows first, as `{ number, time, latency, screen }`; `screen`: milliseconds from
+   * sending the input until the screen showed it, by this frame or by a turn or movement of an older one.
+   */
   presented(lastInput, now) {
     const shown = [];
     while (this.#waiting.length > 0 && this.#waiting[0].number <= lastInput) {
-      const { number, time } = this.#waiting.shift();
+      const { number, time, shown: moved = now } = this.#waiting.shift();
       this.#last = now - time;
       this.#samples.add(now, this.#last);
       this.#longSamples.add(now, this.#last);
-      shown.push({ number, time, latency: this.#last });
+      shown.push({ number, time, latency: this.#last, screen: moved - time });
     }
     return shown;
   }

@@ -5,7 +5,7 @@ import { decoders } from '../picture/decoders.js';
 import { Decoding } from '../picture/decoding.js';
 import { Display, paintScheduler } from '../picture/display.js';
 import { LateLook } from '../picture/late_look.js';
-import { windowOf, windowPlace } from '../picture/look_geometry.js';
+import { isMoved, isTurned, windowOf, windowPlace } from '../picture/look_geometry.js';
 import { MemoryImages } from '../picture/memory_images.js';
 import { PaintBudget } from '../picture/paint_budget.js';
 import { Codec, LimitedBy, kSubProtocols } from './protocol.js';
@@ -15,6 +15,8 @@ import { takePicture } from '../picture/screenshot.js';
 import { Stream } from './stream.js';
 import { Telemetry } from './telemetry.js';
 import { Visibility } from './visibility.js';
+import { kNoMovement, Prediction } from '../walk/prediction.js';
+import { withDepths } from '../walk/space.js';
 
 /** Some figures change even without new pictures. Milliseconds. */
 const kReadingInterval = 250;
@@ -38,6 +40,8 @@ export class Receiver {
   #display;
   #stream;
   #look = { yaw: 0, pitch: 0 };
+  #prediction = new Prediction();
+  #decodeNearness;
   #hello;
   #visit = 0;
   #labelled = 0;
@@ -50,6 +54,7 @@ export class Receiver {
    * @param {HTMLCanvasElement | OffscreenCanvas} parts.canvas
    * @param {() => HTMLCanvasElement | OffscreenCanvas} parts.makeCanvas makes a hidden one
    * @param {(event: object, transfer?: object[]) => void} parts.emit
+   * @param {Function} parts.decodeNearness as withDepths() takes it
    * @param {object} parts.start
    * @param {string} parts.start.url of the server's socket
    * @param {{name: string, width: number, height: number}} parts.start.hello
@@ -57,10 +62,11 @@ export class Receiver {
    * @param {object} parts.start.preferences as Stream takes them
    * @param {object} parts.start.stored the entries of the page's sessionStorage
    */
-  constructor({ scope, clock, canvas, makeCanvas, emit, start }) {
+  constructor({ scope, clock, canvas, makeCanvas, emit, decodeNearness, start }) {
     this.#emit = emit;
     this.#clock = clock;
     this.#canvas = canvas;
+    this.#decodeNearness = decodeNearness;
     this.#hello = start.hello;
     this.#visibility = new Visibility(start.hidden);
     this.#codecs = new Codecs({
@@ -75,7 +81,8 @@ export class Receiver {
       canvas,
       lateLook: this.#lateLook,
       look: () => (this.#stream.turns ? this.#look : null),
-      onPaint: (picture, turn) => this.#label(picture, turn),
+      move: (picture) => this.#movement(picture),
+      onPaint: (picture, view) => this.#painted(picture, view),
     });
     this.#display = new Display({
       screen: this.#screen,
@@ -90,7 +97,7 @@ export class Receiver {
       connection: this.#connection,
       codecs: this.#codecs,
       clock,
-      makeDecoding: (on) => this.#makeDecoding(scope, on),
+      makeDecoding: (on) => this.#makeDecoding({ window: scope, clock, makeCanvas }, on),
       display: this.#display,
       lateLook: this.#lateLook,
       onCodecFailed: (words) => emit({ kind: 'codecFailed', words }),
@@ -115,6 +122,7 @@ export class Receiver {
         refining: ({ percent, secondsLeft }) => emit({ kind: 'refining', percent, secondsLeft }),
         captured: ({ number, picture }) => emit({ kind: 'captured', number, picture }, [picture.buffer]),
         times: (times) => this.#telemetry.timesReceived(times),
+        ground: (ground) => this.#prediction.setGround(ground),
         people: ({ othersAreLost, people }) => emit({ kind: 'people', othersAreLost, people }),
       },
       backoff: new Backoff(),
@@ -136,9 +144,9 @@ export class Receiver {
     };
   }
 
-  #makeDecoding(scope, on) {
+  #makeDecoding(parts, on) {
     const paintsInSoftware = !this.#lateLook.isReady;
-    const make = decoders(scope, this.#clock, paintsInSoftware);
+    const make = decoders({ ...parts, paintsInSoftware });
     if (!paintsInSoftware) return new Decoding({ make, clock: this.#clock, on });
     const copies = new MemoryImages();
     const image = (decoded, picture) => copies.pass(decoded, (copied) => on.image(copied, picture));
@@ -158,12 +166,25 @@ export class Receiver {
     this.#commands[command.kind](command);
   }
 
+  #movement(picture) {
+    return this.#stream.walks ? this.#prediction.moved(picture, this.#clock.now()) : kNoMovement;
+  }
+
+  #painted(picture, view) {
+    this.#label(picture, view);
+    if (isTurned(view.turn) || isMoved(view.displacement)) this.#telemetry.frameMoved(view.until, this.#clock.now());
+  }
+
   /** Emits the places of names in the window; for pictures without names, one empty list. */
-  #label(picture, turn) {
+  #label(picture, view) {
     const { labels = [] } = picture;
     if (labels.length === 0 && this.#labelled === 0) return;
     this.#labelled = labels.length;
-    const placed = labels.map((label) => ({ ...label, place: windowPlace(picture, turn, label) }));
+    const { depths } = picture;
+    const placed = labels.map((label) => ({
+      ...label,
+      place: windowPlace(picture, view, label, depths?.at(label.x, label.y)),
+    }));
     this.#emit({ kind: 'labels', labels: placed.filter(({ place }) => place), ...windowOf(picture) });
   }
 
@@ -172,6 +193,7 @@ export class Receiver {
     this.#stream.begin();
     this.#display.reset();
     this.#telemetry.reset();
+    this.#prediction.reset();
     this.#look = { yaw, pitch };
     this.#connection.sendResize(this.#hello);
     this.#emit({ kind: 'welcome', visitor, red, green, blue, yaw, pitch, world });
@@ -179,7 +201,7 @@ export class Receiver {
 
   #receive(picture) {
     this.#telemetry.frameReceived(picture, this.#clock.now());
-    this.#stream.receive(picture);
+    this.#stream.receive(withDepths(picture, this.#decodeNearness));
   }
 
   #statusReceived(status) {
@@ -215,6 +237,8 @@ export class Receiver {
     if (visit !== this.#visit) return;
     this.#connection.sendInput(input);
     this.#telemetry.inputSent(input.number, now);
+    this.#prediction.inputSent(input, now);
+    this.#display.turn();
   }
 
   #turn(yaw, pitch) {

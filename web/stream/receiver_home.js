@@ -1,3 +1,4 @@
+import { decodeNearness } from '../picture/nearness_grid.js';
 import { Receiver } from './receiver.js';
 
 function workerOf(window) {
@@ -76,6 +77,7 @@ export class ReceiverHome {
       canvas: this.#canvas,
       makeCanvas: () => this.#window.document.createElement('canvas'),
       emit: (event) => this.#on(event),
+      decodeNearness,
       start: this.#start,
     });
     this.#deliver = (command) => receiver.do(command);

@@ -2,13 +2,14 @@ import { namesOf } from './codecs.js';
 import { kCodecNames } from './protocol.js';
 import { kStatistics } from '../texts.js';
 
-/** The visitor's choices; 0 is no limit. */
+/** The visitor's choices; 0 is no limit. `reducedMotion` is the system's setting. */
 export const kPreferences = Object.freeze({
   codec: 'auto',
   framesPerSecond: 0,
   kilobitsPerSecond: 0,
   lines: 0,
   lateLook: true,
+  reducedMotion: false,
 });
 
 /**
@@ -58,9 +59,17 @@ export class Stream {
     return this.#preferences.lateLook && this.#lateLook.isReady;
   }
 
+  /**
+   * Whether late look also moves pictures. A bent picture moves what does not move in the world, which a visitor may
+   * have asked the system to avoid.
+   */
+  get walks() {
+    return this.turns && this.#connection.isSpatial && !this.#preferences.reducedMotion;
+  }
+
   /** The state of late look, for the overlay. */
   get lateLookWord() {
-    if (this.turns) return kStatistics.lateLookOn;
+    if (this.turns) return this.walks ? kStatistics.lateLookOn : kStatistics.lateLookTurns;
     return this.#preferences.lateLook ? kStatistics.lateLookHindered(this.#lateLook.hindrance) : kStatistics.lateLookOff;
   }
 
@@ -71,7 +80,8 @@ export class Stream {
    * @param {number} [chosen.framesPerSecond] at most; 0 is no limit, here and below
    * @param {number} [chosen.kilobitsPerSecond]
    * @param {number} [chosen.lines] height of the picture
-   * @param {boolean} [chosen.lateLook] turn pictures to the newest look
+   * @param {boolean} [chosen.lateLook] turn and move pictures to the visitor's newest view
+   * @param {boolean} [chosen.reducedMotion] turn them only
    */
   setPreferences(chosen) {
     const before = this.#preferences;
@@ -100,7 +110,8 @@ export class Stream {
   /** Sends changed limits. Also to be called when late look's `isReady` has changed. */
   tellLimits() {
     const { framesPerSecond, kilobitsPerSecond, lines } = this.#preferences;
-    const limits = { hidden: this.#hidden, border: this.turns, framesPerSecond, kilobitsPerSecond, lines };
+    const shown = { hidden: this.#hidden, border: this.turns, nearness: this.walks };
+    const limits = { ...shown, framesPerSecond, kilobitsPerSecond, lines };
     const words = JSON.stringify(limits);
     if (!this.#connection.adapts || words === this.#told) return;
     this.#told = words;

@@ -35,7 +35,12 @@ export class Telemetry {
     this.#times = times;
   }
 
-  /** Returns the inputs that the frame shows first, as `{ number, time, latency }`. */
+  /** A frame on the screen was turned or moved, and shows all inputs that were sent before `until`. */
+  frameMoved(until, now) {
+    this.#latency.moved(until, now);
+  }
+
+  /** Returns the inputs that the frame shows first, as `{ number, time, latency, screen }`. */
   framePresented(frame, now, paint = 0) {
     this.#frames += 1;
     this.#last = frame;

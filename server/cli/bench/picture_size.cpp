@@ -20,4 +20,9 @@ std::optional<PictureSize> parsePictureSize(const std::string& text) {
   return size;
 }
 
+PictureSize inLines(const PictureSize& size, int lines) {
+  const int width = (size.width * lines + size.height / 2) / size.height;
+  return {width + width % 2, lines};
+}
+
 }  // namespace grove::cli

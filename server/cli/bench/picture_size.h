@@ -17,4 +17,7 @@ struct PictureSize {
 /// other text.
 [[nodiscard]] std::optional<PictureSize> parsePictureSize(const std::string& text);
 
+/// Returns the size of the same shape with this even height; its width is even, too, as encoders need it.
+[[nodiscard]] PictureSize inLines(const PictureSize& size, int lines);
+
 }  // namespace grove::cli

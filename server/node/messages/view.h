@@ -19,6 +19,9 @@ struct View {
   FrameNumber frame = 0;
   world::PlayerId viewer = 0;
   std::uint32_t lastInput = 0;  ///< number of the last input that the camera includes
+  double inputAge = 0.0;        ///< seconds for which the viewer's keys have been those of that input
+  world::Vec3 viewerEye{0.0F};  ///< where the viewer is; the camera may be ahead
+  world::Vec3 viewerVelocity{0.0F};
   world::Camera camera;
   /// The pose from which the frame's backdrop is drawn; empty: the frame's own.
   std::optional<world::Pose> backdropPose = std::nullopt;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "stream/protocol/protocol.h"
+
 namespace grove::stream {
 namespace {
 
@@ -18,6 +20,8 @@ constexpr double kRest = 2.0;
 constexpr double kMistakeSeconds = 20.0;
 
 }  // namespace
+
+bool CodecChoice::isWorkSaver(std::uint8_t codec) noexcept { return codec == kCodecJpeg || codec == kCodecJpegPatches; }
 
 void CodecChoice::change(bool savesWork, double now) {
   savesWork_ = savesWork;

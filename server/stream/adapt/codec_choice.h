@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 namespace grove::stream {
 
 /// Chooses between a codec that saves bits (H.264) and one that saves server time (JPEG). Chooses JPEG while the server
@@ -16,6 +18,9 @@ class CodecChoice {
     double provenBitsPerSecond = 0.0;     ///< the line has carried these lately
     double workSaverBitsPerSecond = 0.0;  ///< the codec that saves time would need these
   };
+
+  /// Whether a codec, a number of PROTOCOL.md, saves time instead of bits.
+  [[nodiscard]] static bool isWorkSaver(std::uint8_t codec) noexcept;
 
   /// Returns whether to use the codec that saves time. Call at least a few times a second.
   bool update(double now, const Means& means);

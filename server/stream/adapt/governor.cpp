@@ -7,14 +7,16 @@
 namespace grove::stream {
 namespace {
 
+/// A walk in 15 pictures a second is nearer to the truth than one in 30 of 600 lines (`grove bench warp`).
+constexpr std::array<double, 3> kMovedPerSecond = {std::numeric_limits<double>::infinity(), 20.0, 15.0};
 constexpr std::array<double, 4> kScales = {1.0, 5.0 / 6.0, 2.0 / 3.0, 0.5};
 /// Share of the wanted frames per second: 28 of 30.
 constexpr double kEnough = 0.93;
 /// Below this share of time with waiting frames, the server is not what slows a stream down.
 constexpr double kMinDelayed = 0.04;
-/// Pictures shrink when frames worth this many seconds are missing: early if half of them are, late if a tenth is.
+/// Streams get less when frames worth this many seconds are missing: early if half of them are, late if a tenth is.
 constexpr double kMissingSeconds = 0.25;
-/// The measured pace lags: this long after a change it still belongs to the previous size.
+/// The measured pace lags: this long after a change it still belongs to the previous one.
 constexpr double kSettlingSeconds = 0.7;
 /// Workers that are busier than this have no room. Below it, pictures are more accurate than necessary
 /// (node/load_shedding.h), so larger ones may cost no more.
@@ -23,7 +25,7 @@ constexpr double kAssessedEvery = 0.25;
 constexpr double kBusyCalming = 0.1;
 constexpr double kFirstPatience = 5.0;
 constexpr double kLongestPatience = 160.0;
-/// If pictures must shrink this soon after they grew, the wait for the next try doubles.
+/// If streams must get less this soon after they got more, the wait for the next try doubles.
 constexpr double kTrialSeconds = 20.0;
 
 }  // namespace
@@ -38,14 +40,14 @@ Governor::Stream::~Stream() {
   const std::lock_guard lock(governor_->mutex_);
   governor_->paces_.erase(pace_);
   // The next visitor finds an idle machine.
-  if (governor_->paces_.empty()) governor_->step_ = 0;
+  if (governor_->paces_.empty()) governor_->scale_ = governor_->rate_ = 0;
 }
 
-double Governor::Stream::update(const std::optional<Pace>& pace, double now) {
+Governor::Share Governor::Stream::update(const std::optional<Pace>& pace, double now) {
   const std::lock_guard lock(governor_->mutex_);
   *pace_ = pace;
   if (now - governor_->assessed_ >= kAssessedEvery) governor_->assess(now);
-  return kScales[governor_->step_];
+  return governor_->shareNow();
 }
 
 void Governor::Stream::rest() {
@@ -53,9 +55,9 @@ void Governor::Stream::rest() {
   pace_->reset();
 }
 
-double Governor::scale() const {
+Governor::Share Governor::share() const {
   const std::lock_guard lock(mutex_);
-  return kScales[step_];
+  return shareNow();
 }
 
 void Governor::assess(double now) {
@@ -75,28 +77,36 @@ void Governor::assess(double now) {
   }
   if (achieved >= kEnough * wanted || delayed <= kMinDelayed * streams) {
     missing_ = 0.0;
-    growIfThereIsRoom(now);
+    giveMoreIfThereIsRoom(now);
     return;
   }
   missing_ += passed * (1.0 - achieved / (kEnough * wanted));
-  if (missing_ >= kMissingSeconds) shrink(now);
+  if (missing_ >= kMissingSeconds) giveLess(now);
 }
 
-void Governor::shrink(double now) {
-  if (step_ + 1 == kScales.size()) return;
-  const bool failed = grew_ && now - changed_ < kTrialSeconds;
+void Governor::giveLess(double now) {
+  const bool anyMoves = std::ranges::any_of(paces_, [](const auto& pace) { return pace && pace->moves; });
+  if (anyMoves && rate_ + 1 < kMovedPerSecond.size()) {
+    ++rate_;
+  } else if (scale_ + 1 < kScales.size()) {
+    ++scale_;
+  } else {
+    return;
+  }
+  const bool failed = gaveMore_ && now - changed_ < kTrialSeconds;
   patience_ = failed ? std::min(kLongestPatience, 2.0 * patience_) : kFirstPatience;
-  ++step_;
-  grew_ = false;
+  gaveMore_ = false;
   changed_ = now;
   missing_ = 0.0;
 }
 
-void Governor::growIfThereIsRoom(double now) {
-  if (step_ == 0 || now - changed_ < patience_ || busy_ > kRoom) return;
-  --step_;
-  grew_ = true;
+void Governor::giveMoreIfThereIsRoom(double now) {
+  if ((scale_ == 0 && rate_ == 0) || now - changed_ < patience_ || busy_ > kRoom) return;
+  --(scale_ > 0 ? scale_ : rate_);
+  gaveMore_ = true;
   changed_ = now;
 }
+
+Governor::Share Governor::shareNow() const { return {kScales[scale_], kMovedPerSecond[rate_]}; }
 
 }  // namespace grove::stream

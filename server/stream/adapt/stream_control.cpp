@@ -1,42 +1,21 @@
 #include "stream/adapt/stream_control.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <tuple>
 #include <utility>
-
-#include "stream/protocol/saturate.h"
 
 namespace grove::stream {
 namespace {
 
-/// Usable share of the estimated rate; the rest covers errors of the estimate.
-constexpr double kUsable = 0.8;
 /// Rate for refining the picture, and for smoke, while the camera stands still.
 constexpr double kStillBitsPerSecond = 1.3e6;
 /// Refinement proceeds in steps, so that no single picture takes long.
 constexpr Quantiser kRefinement = 2.0;
 constexpr double kIndependentSeconds = 0.25;
-/// A view counts as still after this: a visitor who stops for a moment will walk on.
-constexpr double kStillSeconds = 2.0;
-/// Percent.
-constexpr int kBorderStep = 6;
-constexpr int kBorderSteps = 2;
-constexpr double kBorderHysteresis = 0.3;
-/// A picture that is coarser than usual by this has no border.
-constexpr Quantiser kBorderQuantisers = 6.0;
-/// Of the idle line: below the first, late look has nothing to hide; from the second on it gets the full border.
-constexpr double kShortRoundTrip = 0.030;
-constexpr double kLongRoundTrip = 0.100;
-/// Smaller limits are raised to these.
-constexpr double kMinKilobits = 200.0;
-constexpr int kMinLines = 90;
-/// Measured on a walk through the grove, in JPEG of the usual quality.
-constexpr double kJpegBitsPerPixel = 1.1;
-/// A trial of JPEG begins with this multiple of its bit rate.
-constexpr double kTrust = 1.3;
+/// Seconds. Predictions of more than that are mostly wrong when the visitor turns off.
+constexpr double kMaxLead = 0.250;
 
 }  // namespace
 
@@ -49,7 +28,7 @@ StreamControl::StreamControl(const EncoderRegistry& encoders, std::shared_ptr<Go
       height_(height),
       governed_(std::move(governor)) {
   // Before the first frame nothing speaks against the full wish.
-  policy_.update(0.0, wish(governed_.scale()), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
+  policy_.update(0.0, wish(governed_.share()), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
 }
 
 void StreamControl::resize(int width, int height) {
@@ -96,72 +75,20 @@ double StreamControl::secondsUnacknowledged(double now) const {
   return link_.framesUnderWay() == 0 || limits_.hidden ? 0.0 : now - unacknowledgedSince_;
 }
 
-StreamWish StreamControl::wish(double scale) const {
-  StreamWish wish;
-  if (limits_.lines > 0) scale = std::min(scale, std::max<double>(kMinLines, limits_.lines) / height_);
-  wish.width = static_cast<int>(std::lround(width_ * scale));
-  wish.height = static_cast<int>(std::lround(height_ * scale));
-  wish.framesPerSecond = serverFramesPerSecond_;
-  if (limits_.framesPerSecond > 0)
-    wish.framesPerSecond = std::min<double>(wish.framesPerSecond, limits_.framesPerSecond);
-  return wish;
-}
-
-double StreamControl::wantedBitsPerSecond() const {
-  return limits_.kilobitsPerSecond > 0 ? std::max<double>(kMinKilobits, limits_.kilobitsPerSecond) * 1000.0
-                                       : LinkEstimator::kMaxBitsPerSecond;
-}
-
-double StreamControl::bitsPerSecond() const { return kUsable * std::min(link_.bitsPerSecond(), wantedBitsPerSecond()); }
-
-void StreamControl::plan(double now) {
-  if (page_ == PageLevel::kBasic) {
-    policy_.update(now, wish(1.0), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
-    return;
-  }
-  const double scale = governed_.update(work_.pace(policy_.plan().framesPerSecond, now), now);
-  policy_.update(now, work_.relieve(wish(scale), now),
-                 {.bitsPerSecond = bitsPerSecond(),
-                  .bitsPerPixel = quantisers_.complexity(),
-                  .framesPerSecond = work_.framesPerSecond(),
-                  .finest = range_.finest,
-                  .coarsest = range_.coarsest,
-                  .isTried = link_.isMeasured()});
-  planCodec(now);
-}
-
-void StreamControl::planCodec(double now) {
-  const StreamPlan& plan = policy_.plan();
-  const double jpeg =
-      kJpegBitsPerPixel * plan.width * plan.height * std::min(plan.framesPerSecond, work_.framesPerSecond());
-  const bool before = codecChoice_.savesWork();
-  const bool savesWork = codecChoice_.update(
-      now, {.isWorkScarce = work_.shortOf() == LimitedBy::kMachine || governed_.scale() < 1.0,
-            .isBrowserShort = work_.shortOf() == LimitedBy::kBrowser,
-            .isStill = now - moved_ > kStillSeconds,
-            .isLineScarce = plan.limitedBy == LimitedBy::kLine || work_.shortOf() == LimitedBy::kLine,
-            .lineBitsPerSecond = bitsPerSecond(),
-            .provenBitsPerSecond = std::min(link_.proven(), wantedBitsPerSecond()),
-            .workSaverBitsPerSecond = jpeg});
-  if (savesWork && !before) link_.trust(kTrust * jpeg / kUsable);
-}
-
-void StreamControl::planBorder() {
-  const bool hasRoom = policy_.plan().limitedBy == LimitedBy::kNothing && work_.shortOf() == LimitedBy::kNothing &&
-                       newestQuantiser_ <= range_.usual + (borderSteps_ > 0 ? kBorderQuantisers : 0.0);
-  if (page_ == PageLevel::kBasic || !limits_.border || !hasRoom) {
-    borderSteps_ = 0;
-    return;
-  }
-  const double share = (link_.roundTrip() - kShortRoundTrip) / (kLongRoundTrip - kShortRoundTrip);
-  const double steps = kBorderSteps * std::clamp(share, 0.0, 1.0);
-  // Each change begins with an independent picture, so changes need hysteresis.
-  if (steps >= borderSteps_ + 1 || steps < borderSteps_ - kBorderHysteresis) borderSteps_ = static_cast<int>(steps);
-}
-
 bool StreamControl::isHidden() const {
   const std::lock_guard lock(mutex_);
   return limits_.hidden;
+}
+
+bool StreamControl::wantsNearness() const {
+  const std::lock_guard lock(mutex_);
+  return moves();
+}
+
+double StreamControl::leadSeconds() const {
+  if (!wantsNearness()) return 0.0;
+  const std::lock_guard lock(mutex_);
+  return std::min(link_.roundTrip() + kDrawingSeconds, kMaxLead);
 }
 
 bool StreamControl::mayBegin(double now, int beingMade) {
@@ -204,13 +131,8 @@ int StreamControl::aim(world::Camera& camera, std::uint32_t frame, double now) {
   const StreamPlan& plan = policy_.plan();
   camera.width = plan.width;
   camera.height = plan.height;
-  const int border = borderSteps_ * kBorderStep;
-  if (border == 0) return 0;
-  const double wider = 1.0 + border / 100.0;
-  camera.verticalFov = static_cast<float>(2.0 * std::atan(wider * std::tan(0.5 * camera.verticalFov)));
-  std::tie(camera.width, camera.height) =
-      fitSize(saturate<std::uint32_t>(plan.width * wider), saturate<std::uint32_t>(plan.height * wider));
-  return border;
+  if (border_.percent() > 0) camera = withBorder(camera, border_.percent());
+  return border_.percent();
 }
 
 std::optional<std::uint32_t> StreamControl::takeCapture(std::uint32_t frame) {
@@ -221,11 +143,10 @@ std::optional<std::uint32_t> StreamControl::takeCapture(std::uint32_t frame) {
 const EncoderKind& StreamControl::kind() const {
   const std::lock_guard lock(mutex_);
   // A visitor who insists on a codec offers only that one.
-  constexpr std::array<std::uint8_t, 1> kSavesWork{kCodecJpeg};
-  if (codecChoice_.savesWork() && std::ranges::find(offer_, kCodecJpeg) != offer_.end()) {
-    return encoders_.choose(kSavesWork);
-  }
   std::vector<std::uint8_t> codecs = offer_;
+  if (codecChoice_.savesWork() && std::ranges::any_of(codecs, CodecChoice::isWorkSaver)) {
+    std::erase_if(codecs, std::not_fn(CodecChoice::isWorkSaver));
+  }
   std::erase_if(codecs, [&](std::uint8_t codec) { return std::ranges::find(failed_, codec) != failed_.end(); });
   return encoders_.choose(codecs);
 }
@@ -240,7 +161,7 @@ StreamControl::Choice StreamControl::choose(const EncoderKind& kind, const Quant
   const std::lock_guard lock(mutex_);
   range_ = range;
   if (!still) moved_ = now;
-  Choice choice{&kind, {range.usual, false}, 0.0};
+  Choice choice{&kind, {.quantiser = range.usual, .still = still}, 0.0};
   if (wantsIndependent_ && now - independentMade_ >= kIndependentSeconds) {
     choice.order.independent = true;
     wantsIndependent_ = false;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "stream/adapt/border_choice.h"
 #include "stream/adapt/capture_request.h"
 #include "stream/adapt/codec_choice.h"
 #include "stream/adapt/frame_times.h"
@@ -28,6 +29,7 @@ enum class PageLevel : std::uint8_t {
   kAdaptive,  ///< v1.2
   kTimed,     ///< v1.3: reports the browser's time for frames
   kNaming,    ///< v1.4: writes names over the picture
+  kMoving,    ///< v1.5: moves pictures to where the visitor walks (late walk)
 };
 
 /// Controls one visitor's stream: codec, size, rate, quantiser, and the number of frames in flight. It follows the
@@ -51,6 +53,13 @@ class StreamControl {
   [[nodiscard]] bool acknowledged(std::uint32_t frame, const Arrival& arrival);
   /// Seconds since the last acknowledgement; 0 if no frame is unacknowledged.
   [[nodiscard]] double secondsUnacknowledged(double now) const;
+
+  /// Whether the page moves pictures, and needs the nearness of their surfaces.
+  [[nodiscard]] bool wantsNearness() const;
+  /// Time from reading a camera to the picture on the page's screen, seconds; 0 for pages that do not move pictures.
+  [[nodiscard]] double leadSeconds() const;
+  /// The least of that without the line: drawing, encoding, decoding and waiting for the display.
+  static constexpr double kDrawingSeconds = 0.020;
 
   // Before a frame.
   /// Returns whether a due frame may begin while `beingMade` others are in progress.
@@ -96,8 +105,12 @@ class StreamControl {
   [[nodiscard]] Status status() const;
 
  private:
-  /// The visitor's wish, at `scale` times the window's size.
-  [[nodiscard]] StreamWish wish(double scale) const;
+  /// The visitor's wish, as far as the machine allows.
+  [[nodiscard]] StreamWish wish(const Governor::Share& share) const;
+  /// The page moves pictures.
+  [[nodiscard]] bool moves() const;
+  /// The machine is too busy for the visitor's wish.
+  [[nodiscard]] bool isGoverned() const;
   [[nodiscard]] double bitsPerSecond() const;
   /// The visitor's own limit.
   [[nodiscard]] double wantedBitsPerSecond() const;
@@ -125,7 +138,7 @@ class StreamControl {
   CodecChoice codecChoice_;
   double moved_ = 0.0;  ///< the camera moved last then
   FrameTimes times_;
-  int borderSteps_ = 0;
+  BorderChoice border_;
   QuantiserControl quantisers_;
   QuantiserRange range_;
   Quantiser newestQuantiser_ = 30.0;

@@ -31,9 +31,9 @@ LimitedBy StreamControl::limitedBy() const {
   const LimitedBy planned = policy_.plan().limitedBy;
   if (planned == LimitedBy::kLine && wantedBitsPerSecond() < link_.bitsPerSecond()) return LimitedBy::kVisitor;
   if (planned != LimitedBy::kNothing) return planned;
-  const LimitedBy who = work_.sparesBrowser()     ? LimitedBy::kBrowser
-                        : governed_.scale() < 1.0 ? LimitedBy::kMachine
-                                                  : work_.shortOf();
+  const LimitedBy who = work_.sparesBrowser() ? LimitedBy::kBrowser
+                        : isGoverned()        ? LimitedBy::kMachine
+                                              : work_.shortOf();
   // Older pages do not understand kBrowser.
   if (who == LimitedBy::kBrowser && page_ < PageLevel::kTimed) return LimitedBy::kNothing;
   if (who != LimitedBy::kNothing) return who;

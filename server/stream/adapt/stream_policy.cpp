@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "stream/protocol/saturate.h"
+
 namespace grove::stream {
 namespace {
 
@@ -70,6 +72,14 @@ std::pair<int, int> fitSize(std::uint32_t width, std::uint32_t height) {
     return 2 * static_cast<int>(std::max(min, std::round(size * scale)) / 2.0);
   };
   return {even(w, kMinWidth), even(h, kMinHeight)};
+}
+
+world::Camera withBorder(world::Camera camera, int percent) {
+  const double wider = 1.0 + percent / 100.0;
+  camera.verticalFov = static_cast<float>(2.0 * std::atan(wider * std::tan(0.5 * camera.verticalFov)));
+  std::tie(camera.width, camera.height) =
+      fitSize(saturate<std::uint32_t>(camera.width * wider), saturate<std::uint32_t>(camera.height * wider));
+  return camera;
 }
 
 void StreamPolicy::step(double now, const StreamWish& wish, const StreamMeans& means) {

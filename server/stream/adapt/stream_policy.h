@@ -6,6 +6,7 @@
 
 #include "stream/encode/encoder.h"
 #include "stream/protocol/protocol.h"
+#include "world/camera.h"
 
 namespace grove::stream {
 
@@ -57,5 +58,9 @@ class StreamPolicy {
 
 /// Returns the streamed size for a wanted one: within 160 x 90 to 1920 x 1080, even, of the same shape if possible.
 [[nodiscard]] std::pair<int, int> fitSize(std::uint32_t width, std::uint32_t height);
+
+/// Returns the camera that sees more on each side, by `percent` of half the width and height, with the same angle per
+/// pixel, as far as fitSize() permits.
+[[nodiscard]] world::Camera withBorder(world::Camera camera, int percent);
 
 }  // namespace grove::stream

@@ -38,11 +38,12 @@ void WorkControl::waitsForPage(const LinkEstimator& link, double now) {
   shortage_.blocked(held_ > kBusyHold || isNear ? LimitedBy::kBrowser : LimitedBy::kLine, now);
 }
 
-std::optional<Governor::Pace> WorkControl::pace(double wanted, double now) const {
+std::optional<Governor::Pace> WorkControl::pace(double wanted, bool moves, double now) const {
   const double achieved = shortage_.framesPerSecond();
   const double others = shortage_.share(LimitedBy::kLine, now) + shortage_.share(LimitedBy::kBrowser, now);
   if (achieved <= 0.0 || others >= kShareOfOthers) return std::nullopt;
-  return Governor::Pace{std::min(wanted, kUsualFramesPerSecond), achieved, shortage_.share(LimitedBy::kMachine, now)};
+  return Governor::Pace{std::min(wanted, kUsualFramesPerSecond), achieved, shortage_.share(LimitedBy::kMachine, now),
+                        moves};
 }
 
 StreamWish WorkControl::relieve(StreamWish wish, double now) {

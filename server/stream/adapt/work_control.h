@@ -28,8 +28,9 @@ class WorkControl {
   double begins(double now) { return shortage_.began(now); }
   void rest() { shortage_.rest(); }
 
-  /// How the machine keeps up with `wanted` frames a second; nothing if line or browser keep frames back, too.
-  [[nodiscard]] std::optional<Governor::Pace> pace(double wanted, double now) const;
+  /// How the machine keeps up with `wanted` frames a second; nothing if line or browser keep frames back, too. `moves`:
+  /// the page moves pictures.
+  [[nodiscard]] std::optional<Governor::Pace> pace(double wanted, bool moves, double now) const;
   /// Returns the wish, reduced by the browser's relief. Call at least a few times a second.
   [[nodiscard]] StreamWish relieve(StreamWish wish, double now);
   /// Maximum frames a second of server and browser; infinite if the line limits the stream.

@@ -90,7 +90,8 @@ class LoadClients {
 LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan)
     : plan_(plan), inputClock_(plan.sessions, kInputPeriod) {
   // The library requires all sub-protocols that a server may choose.
-  static constexpr std::array<lws_protocols, 4> kProtocols = {
+  static constexpr std::array<lws_protocols, 5> kProtocols = {
+      lws_protocols{kSubProtocolWithNearness, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
       lws_protocols{kSubProtocolWithVideo, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
       lws_protocols{kSubProtocolWithWaiting, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
       lws_protocols{kSubProtocol, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0}, lws_protocols{}};
@@ -135,7 +136,8 @@ void LoadClients::pollInputClock() {
 /// `asked` is the host named in the request, which the server checks; `to` is where the connection goes.
 void LoadClients::connect(Client& client, const LoadTarget& asked, const LoadTarget& to) {
   const std::string host = asked.host + ":" + std::to_string(asked.port);
-  const std::string protocols = std::string(kSubProtocolWithVideo) + "," + kSubProtocolWithWaiting + "," + kSubProtocol;
+  const std::string first = plan_.lateWalk ? std::string(kSubProtocolWithNearness) + "," : "";
+  const std::string protocols = first + kSubProtocolWithVideo + "," + kSubProtocolWithWaiting + "," + kSubProtocol;
   lws_client_connect_info info{};
   info.context = context_.get();
   info.address = to.host.c_str();

@@ -33,7 +33,8 @@ struct LoadPlan {
   double seconds = 10.0;   ///< measured
   int width = 1280;        ///< pixels, wanted
   int height = 720;        ///< pixels, wanted
-  std::vector<std::uint8_t> codecs = {kCodecH264, kCodecJpeg};  ///< offered, the best first
+  std::vector<std::uint8_t> codecs = {kCodecH264, kCodecJpegPatches, kCodecJpeg};  ///< offered, the best first
+  bool lateWalk = false;  ///< ask for what a page needs that moves pictures
   Movement movement = Movement::kStroll;
   std::optional<WalkToFollow> follow = {};  ///< replaces `movement`
   std::optional<LinkProfile> shape = {};    ///< of each visitor's own line

@@ -8,6 +8,12 @@ namespace grove::stream {
 LoadVisitor::LoadVisitor(int index, const LoadPlan& plan, JpegDecoder& decoder)
     : index_(index), plan_(plan), check_(index, decoder) {}
 
+void LoadVisitor::agreedOn(std::string_view subProtocol) {
+  const bool moves = subProtocol == kSubProtocolWithNearness;
+  video_ = moves || subProtocol == kSubProtocolWithVideo;
+  if (moves) replies_.push_back(encode(Limits{.border = true, .nearness = true}));
+}
+
 std::vector<std::uint8_t> LoadVisitor::nextMessage(double now) {
   if (video_ && !std::exchange(offerSent_, true)) return encode(Offer{plan_.codecs});
   if (!std::exchange(helloSent_, true)) {

@@ -24,7 +24,7 @@ class LoadVisitor {
   LoadVisitor(int index, const LoadPlan& plan, JpegDecoder& decoder);
 
   /// Sets the negotiated sub-protocol, before all other calls; grove.v1 if not called.
-  void agreedOn(std::string_view subProtocol) { video_ = subProtocol == kSubProtocolWithVideo; }
+  void agreedOn(std::string_view subProtocol);
 
   /// The next input is due; the page sends at most one per displayed frame.
   void inputDue() { inputDue_ = true; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "stream/encode/annex_b.h"
+#include "stream/protocol/jpeg_patches.h"
 
 namespace grove::stream {
 namespace {
@@ -33,7 +34,8 @@ std::optional<std::string> faultOfUnits(bool independent, std::span<const std::u
 }  // namespace
 
 std::optional<std::string> PictureCheck::check(const PictureHeader& header, std::span<const std::uint8_t> picture) {
-  return header.codec == kCodecH264 ? checkH264(header, picture) : checkJpeg(header, picture);
+  if (header.codec == kCodecH264) return checkH264(header, picture);
+  return header.codec == kCodecJpegPatches ? checkPatches(header, picture) : checkJpeg(header, picture);
 }
 
 std::optional<std::string> PictureCheck::checkJpeg(const PictureHeader& header, std::span<const std::uint8_t> picture) {
@@ -42,9 +44,41 @@ std::optional<std::string> PictureCheck::checkJpeg(const PictureHeader& header, 
   if (decoder_.size(picture) != std::pair<int, int>(header.width, header.height)) {
     return "does not have the announced size";
   }
-  // Spreads the decoding over frames.
-  const bool decodeThis = (jpegs_++ + 7 * static_cast<std::uint64_t>(index_)) % kJpegsPerDecodedOne == 0;
-  if (decodeThis && decoder_.decode(picture) == nullptr) return "is damaged";
+  if (decodesNextJpeg() && decoder_.decode(picture) == nullptr) return "is damaged";
+  return std::nullopt;
+}
+
+bool PictureCheck::decodesNextJpeg() {
+  return (jpegs_++ + 7 * static_cast<std::uint64_t>(index_)) % kJpegsPerDecodedOne == 0;
+}
+
+std::optional<std::string> PictureCheck::checkPatches(const PictureHeader& header,
+                                                      std::span<const std::uint8_t> picture) {
+  const std::pair<int, int> size(header.width, header.height);
+  if (!header.independent) {
+    if (chain_ == Chain::kBroken) return std::nullopt;
+    if (auto fault = faultOfChain(size)) return breakChain(std::move(*fault));
+  }
+  const auto patches = parsePatches(picture);
+  if (!patches) return breakChain("is cut off");
+  if (header.independent && patches->size() != 1) return breakChain("is independent, but not one JPEG");
+  const bool decodes = decodesNextJpeg();
+  for (const JpegPatch& patch : *patches) {
+    const auto part = decoder_.size(patch.jpeg);
+    if (!part || patch.left + part->first > header.width || patch.top + part->second > header.height) {
+      return breakChain("has a part outside of it");
+    }
+    if (header.independent && part != size) return breakChain("does not have the announced size");
+    if (decodes && decoder_.decode(patch.jpeg) == nullptr) return breakChain("is damaged");
+  }
+  chain_ = Chain::kWhole;
+  size_ = size;
+  return std::nullopt;
+}
+
+std::optional<std::string> PictureCheck::faultOfChain(std::pair<int, int> size) {
+  if (chain_ == Chain::kNone) return "depends on a picture that was not sent";
+  if (size != size_) return "depends on one of another size";
   return std::nullopt;
 }
 
@@ -52,8 +86,7 @@ std::optional<std::string> PictureCheck::checkH264(const PictureHeader& header, 
   const std::pair<int, int> size(header.width, header.height);
   if (!header.independent) {
     if (chain_ == Chain::kBroken) return std::nullopt;
-    if (chain_ == Chain::kNone) return breakChain("depends on a picture that was not sent");
-    if (size != size_) return breakChain("depends on one of another size");
+    if (auto fault = faultOfChain(size)) return breakChain(std::move(*fault));
   }
   if (auto fault = faultOfUnits(header.independent, picture)) return breakChain(std::move(*fault));
   if (index_ == 0) {

@@ -28,6 +28,12 @@ class PictureCheck {
  private:
   [[nodiscard]] std::optional<std::string> checkJpeg(const PictureHeader& header,
                                                      std::span<const std::uint8_t> picture);
+  [[nodiscard]] std::optional<std::string> checkPatches(const PictureHeader& header,
+                                                        std::span<const std::uint8_t> picture);
+  /// Spreads the decoding over frames.
+  [[nodiscard]] bool decodesNextJpeg();
+  /// Returns what is wrong with the chain of a dependent picture of that size, if anything.
+  [[nodiscard]] std::optional<std::string> faultOfChain(std::pair<int, int> size);
   [[nodiscard]] std::optional<std::string> checkH264(const PictureHeader& header,
                                                      std::span<const std::uint8_t> picture);
   [[nodiscard]] std::optional<std::string> breakChain(std::string reason);
@@ -38,7 +44,7 @@ class PictureCheck {
   JpegDecoder& decoder_;
   std::optional<H264Decoder> h264_;  ///< of the first visitor, from the first such picture on
   std::uint64_t jpegs_ = 0;
-  Chain chain_ = Chain::kNone;  ///< of H.264 pictures, up to the last one
+  Chain chain_ = Chain::kNone;  ///< of pictures that depend on each other, up to the last one
   std::pair<int, int> size_{0, 0};
   bool reportBroken_ = false;
 };

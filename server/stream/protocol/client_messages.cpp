@@ -17,6 +17,7 @@ constexpr std::uint8_t kAllKeys =
     world::kForward | world::kBack | world::kLeft | world::kRight | world::kRun | world::kBlow;
 constexpr std::uint8_t kHiddenFlag = 1;
 constexpr std::uint8_t kBorderFlag = 2;
+constexpr std::uint8_t kNearnessFlag = 4;
 
 bool isGoodSide(std::uint32_t side) { return side >= kSmallestSide && side <= kLargestSide; }
 
@@ -77,9 +78,10 @@ ClientMessage parseLimits(WireReader reader) {
   Limits limits;
   into(reader)(limits.framesPerSecond, Reserved<1>(), limits.kilobitsPerSecond, limits.lines, Reserved<2>());
   if (!reader.whole()) return wrongLength("Limits");
-  if (!reader.zeros() || (flags & ~(kHiddenFlag | kBorderFlag)) != 0) return reservedBytes("Limits");
+  if (!reader.zeros() || (flags & ~(kHiddenFlag | kBorderFlag | kNearnessFlag)) != 0) return reservedBytes("Limits");
   limits.hidden = (flags & kHiddenFlag) != 0;
   limits.border = (flags & kBorderFlag) != 0;
+  limits.nearness = (flags & kNearnessFlag) != 0;
   return limits;
 }
 
@@ -132,7 +134,8 @@ std::vector<std::uint8_t> encode(const Offer& offer) {
 }
 
 std::vector<std::uint8_t> encode(const Limits& limits) {
-  const auto flags = static_cast<std::uint8_t>((limits.hidden ? kHiddenFlag : 0) | (limits.border ? kBorderFlag : 0));
+  const auto flags = static_cast<std::uint8_t>((limits.hidden ? kHiddenFlag : 0) | (limits.border ? kBorderFlag : 0) |
+                                               (limits.nearness ? kNearnessFlag : 0));
   WireWriter writer;
   writer.put(MessageType::kLimits).put(flags).put(limits.framesPerSecond).put(Reserved<1>());
   writer.put(limits.kilobitsPerSecond).put(limits.lines).put(Reserved<2>());

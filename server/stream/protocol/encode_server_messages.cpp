@@ -62,6 +62,16 @@ std::vector<std::uint8_t> encode(const People& people) {
   return writer.take();
 }
 
+std::vector<std::uint8_t> encode(const Ground& ground) {
+  assert(ground.hills.size() <= world::kMaxHills && ground.obstacles.size() <= kMaxGroundObstacles);
+  WireWriter writer;
+  writer.put(MessageType::kGround).put(static_cast<std::uint8_t>(ground.hills.size()));
+  writer.put(static_cast<std::uint16_t>(ground.obstacles.size())).put(ground.radius);
+  for (const world::Hill& hill : ground.hills) fields(hill, into(writer));
+  for (const world::Obstacle& obstacle : ground.obstacles) fields(obstacle, into(writer));
+  return writer.take();
+}
+
 std::vector<std::uint8_t> encode(const Status& status) { return encodeFields(MessageType::kStatus, status); }
 std::vector<std::uint8_t> encode(const Times& times) { return encodeFields(MessageType::kTimes, times); }
 
@@ -74,12 +84,19 @@ void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes
 
 void encode(const PictureHeader& header, std::span<std::uint8_t> out) {
   assert(header.labels.size() <= kMaxLabels);
-  const std::uint8_t flags = header.independent ? kIndependentFlag : 0;
+  const auto flags =
+      static_cast<std::uint8_t>((header.independent ? kIndependentFlag : 0) | (header.space ? kSpaceFlag : 0));
   const auto labels = static_cast<std::uint8_t>(header.labels.size());
   WireWriter writer;
   writer.put(MessageType::kPicture);
   fields(header, flags, labels, into(writer));
   for (const Label& label : header.labels) fields(label, into(writer));
+  if (header.space) {
+    const auto nearnessBytes = static_cast<std::uint16_t>(header.space->nearness.size());
+    assert(nearnessBytes == header.space->nearness.size());
+    fields(*header.space, nearnessBytes, into(writer));
+    for (const std::uint8_t byte : header.space->nearness) writer.put(byte);
+  }
   encodeInto(out, writer);
 }
 

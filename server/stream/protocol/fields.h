@@ -45,6 +45,17 @@ void fields(Of<PictureHeader> auto& header, auto& flags, auto& labels, const aut
 void fields(Of<Label> auto& label, const auto& each) {
   each(label.visitor, label.x, label.y, label.opacity, Reserved<1>());
 }
+/// Without the bytes of the grid, whose number is on the wire.
+void fields(Of<Space> auto& space, auto& nearnessBytes, const auto& each) {
+  each(space.eye.x, space.eye.y, space.eye.z, space.visitor.x, space.visitor.y, space.visitor.z, space.velocity.x,
+       space.velocity.y, space.sinceInputMicroseconds, nearnessBytes, Reserved<2>());
+}
+void fields(Of<world::Hill> auto& hill, const auto& each) {
+  each(hill.centre.x, hill.centre.y, hill.radius, hill.height);
+}
+void fields(Of<world::Obstacle> auto& obstacle, const auto& each) {
+  each(obstacle.centre.x, obstacle.centre.y, obstacle.radius);
+}
 void fields(Of<CapturedHeader> auto& header, const auto& each) {
   each(header.codec, header.width, header.height, Reserved<2>(), header.number);
 }

@@ -29,6 +29,7 @@ enum class MessageType : std::uint8_t {
   kCaptured = 0x87,
   kTimes = 0x88,
   kPeople = 0x89,
+  kGround = 0x8A,
 };
 
 [[nodiscard]] inline Refusal refuseMessage(std::string reason) {

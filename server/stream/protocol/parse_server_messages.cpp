@@ -78,6 +78,22 @@ ServerMessage parseFrame(WireReader reader) {
   return frame;
 }
 
+/// Returns nothing if it is cut short.
+std::optional<Space> takeSpace(WireReader& reader) {
+  Space space;
+  std::uint16_t nearnessBytes = 0;
+  fields(space, nearnessBytes, into(reader));
+  const std::span<const std::uint8_t> nearness = reader.takeBytes(nearnessBytes);
+  if (reader.exhausted()) return std::nullopt;
+  space.nearness.assign(nearness.begin(), nearness.end());
+  return space;
+}
+
+bool isValid(const Space& space) {
+  return areFinite({space.eye.x, space.eye.y, space.eye.z, space.visitor.x, space.visitor.y, space.visitor.z,
+                    space.velocity.x, space.velocity.y});
+}
+
 ServerMessage parsePicture(WireReader reader) {
   PictureMessage picture;
   PictureHeader& header = picture.header;
@@ -86,12 +102,14 @@ ServerMessage parsePicture(WireReader reader) {
   fields(header, flags, labels, into(reader));
   if (labels > kMaxLabels) return refuseMessage("more labels than a picture has");
   for (int i = 0; i < labels; ++i) fields(header.labels.emplace_back(), into(reader));
-  if (reader.exhausted()) return wrongLength("Picture");
-  if (header.codec != kCodecJpeg && header.codec != kCodecH264) return unknownCodec(header.codec);
-  if (!reader.zeros() || (flags & ~kIndependentFlag) != 0) return reservedBytes("Picture");
+  if ((flags & kSpaceFlag) != 0) header.space = takeSpace(reader);
+  if (reader.exhausted() || reader.rest().empty()) return wrongLength("Picture");
+  if (header.codec < kCodecJpeg || header.codec > kCodecJpegPatches) return unknownCodec(header.codec);
+  if (!reader.zeros() || (flags & ~(kIndependentFlag | kSpaceFlag)) != 0) return reservedBytes("Picture");
   const bool isCamera = areFinite({header.yaw, header.pitch, header.tanHalfX, header.tanHalfY}) &&
                         header.tanHalfX > 0.0F && header.tanHalfY > 0.0F;
-  if (!isCamera) return refuseMessage("the camera of a picture is invalid");
+  if (!isCamera || (header.space && !isValid(*header.space)))
+    return refuseMessage("the camera of a picture is invalid");
   header.independent = (flags & kIndependentFlag) != 0;
   picture.picture = reader.rest();
   return picture;
@@ -140,6 +158,30 @@ ServerMessage parsePeople(WireReader reader) {
   return people;
 }
 
+ServerMessage parseGround(WireReader reader) {
+  Ground ground;
+  const auto hills = reader.take<std::uint8_t>();
+  const auto obstacles = reader.take<std::uint16_t>();
+  ground.radius = reader.take<float>();
+  if (hills > world::kMaxHills) return refuseMessage("more hills than a scene has");
+  if (obstacles > kMaxGroundObstacles) return refuseMessage("more than 4096 obstacles");
+  for (int i = 0; i < hills; ++i) fields(ground.hills.emplace_back(), into(reader));
+  for (int i = 0; i < obstacles && !reader.exhausted(); ++i) fields(ground.obstacles.emplace_back(), into(reader));
+  if (!reader.whole()) return wrongLength("Ground");
+  const bool isFinite =
+      std::ranges::all_of(
+          ground.hills,
+          [](const world::Hill& hill) {
+            return areFinite({hill.centre.x, hill.centre.y, hill.radius, hill.height}) && hill.radius > 0.0F;
+          }) &&
+      std::ranges::all_of(ground.obstacles, [](const world::Obstacle& obstacle) {
+        return areFinite({obstacle.centre.x, obstacle.centre.y, obstacle.radius}) && obstacle.radius > 0.0F;
+      });
+  if (!isFinite || !std::isfinite(ground.radius) || ground.radius <= 0.0F)
+    return refuseMessage("the ground is invalid");
+  return ground;
+}
+
 }  // namespace
 
 ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes) {
@@ -165,6 +207,8 @@ ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes) {
       return parseTimes(reader);
     case MessageType::kPeople:
       return parsePeople(reader);
+    case MessageType::kGround:
+      return parseGround(reader);
     default:
       return refuseMessage("unknown message type " + std::to_string(type));
   }

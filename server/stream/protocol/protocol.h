@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -24,6 +25,8 @@ inline constexpr const char* kSubProtocolWithVideo = "grove.v1.2";
 inline constexpr const char* kSubProtocolWithTimes = "grove.v1.3";
 /// For pages that also write names over the picture, make sounds and understand what is "since v1.4".
 inline constexpr const char* kSubProtocolWithNames = "grove.v1.4";
+/// For pages that also move pictures to where their visitor walks and understand what is "since v1.5".
+inline constexpr const char* kSubProtocolWithNearness = "grove.v1.5";
 
 /// Close codes of PROTOCOL.md.
 enum class CloseCode : std::uint16_t {
@@ -65,8 +68,9 @@ struct Offer {
 
 /// Since v1.2: the visitor's limits; 0 is no limit.
 struct Limits {
-  bool hidden = false;  ///< the page is hidden: no pictures are sent
-  bool border = false;  ///< pictures may be larger than the window, for late look
+  bool hidden = false;    ///< the page is hidden: no pictures are sent
+  bool border = false;    ///< pictures may be larger than the window, for late look
+  bool nearness = false;  ///< since v1.5: pictures come with a Space, for late walk
   std::uint8_t framesPerSecond = 0;
   std::uint32_t kilobitsPerSecond = 0;
   std::uint16_t lines = 0;  ///< height of the picture, pixels
@@ -118,6 +122,7 @@ struct Waiting {
 
 inline constexpr std::uint8_t kCodecJpeg = 1;
 inline constexpr std::uint8_t kCodecH264 = 2;
+inline constexpr std::uint8_t kCodecJpegPatches = 3;
 inline constexpr std::size_t kMaxCodecs = 8;
 inline constexpr std::size_t kFrameHeaderBytes = 20;
 inline constexpr std::size_t kPictureHeaderBytes = 40;
@@ -144,6 +149,16 @@ struct Label {
 inline constexpr std::size_t kMaxLabels = 24;
 inline constexpr std::size_t kLabelBytes = 10;
 
+/// Since v1.5: where a picture was drawn, and how near the surfaces in it are.
+struct Space {
+  world::Vec3 eye{0.0F};                     ///< of the picture's camera, ahead of a visitor who walks
+  world::Vec3 visitor{0.0F};                 ///< the eye of the visitor `sinceInputMicroseconds` after `lastInput` came
+  world::Vec2 velocity{0.0F};                ///< of the visitor then, along x and z, metres per second
+  std::uint32_t sinceInputMicroseconds = 0;  ///< saturates
+  std::vector<std::uint8_t> nearness = {};   ///< of encodeNearness(), at most 65535 bytes
+};
+inline constexpr std::size_t kSpaceBytes = 40;
+
 /// Header of a Picture, which replaces Frame since v1.2.
 struct PictureHeader : FrameHeader {
   bool independent = true;  ///< can be decoded without earlier ones
@@ -154,9 +169,14 @@ struct PictureHeader : FrameHeader {
   float tanHalfY = 1.0F;
   std::uint8_t fire = 0;           ///< since v1.4: nearness of the nearest fire, 0 inaudible to 255 beside it
   std::vector<Label> labels = {};  ///< since v1.4: nearest first, at most kMaxLabels
+  std::optional<Space> space = std::nullopt;  ///< since v1.5
 };
 [[nodiscard]] constexpr std::size_t pictureHeaderBytes(std::size_t labels) {
   return kPictureHeaderBytes + labels * kLabelBytes;
+}
+[[nodiscard]] inline std::size_t pictureHeaderBytes(const PictureHeader& header) {
+  const std::size_t space = header.space ? kSpaceBytes + header.space->nearness.size() : 0;
+  return pictureHeaderBytes(header.labels.size()) + space;
 }
 
 /// What limits the stream's quality.
@@ -213,6 +233,14 @@ struct People {
   std::vector<Person> people;
 };
 
+/// Since v1.5: what decides where visitors walk, see world::Players; sent once, after Welcome.
+struct Ground {
+  float radius = 0.0F;  ///< metres around the origin within which visitors stay
+  std::vector<world::Hill> hills;
+  std::vector<world::Obstacle> obstacles;  ///< at most kMaxGroundObstacles
+};
+inline constexpr std::size_t kMaxGroundObstacles = 4096;
+
 /// Since v1.3: header of the response to Capture; the picture follows it.
 struct CapturedHeader {
   std::uint8_t codec = kCodecJpeg;
@@ -228,6 +256,7 @@ inline constexpr std::size_t kCapturedHeaderBytes = 12;
 [[nodiscard]] std::vector<std::uint8_t> encode(const Refining& refining);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Times& times);
 [[nodiscard]] std::vector<std::uint8_t> encode(const People& people);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Ground& ground);
 /// Writes the header of a Frame message; the picture follows it.
 void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out);
 /// Writes the header of a Picture message of pictureHeaderBytes(); the picture follows it.
@@ -260,7 +289,7 @@ struct CapturedMessage {
   std::span<const std::uint8_t> picture;
 };
 using ServerMessage = std::variant<Welcome, Waiting, FrameMessage, PictureMessage, CapturedMessage, Status, Refining,
-                                   Times, People, Refusal>;
+                                   Times, People, Ground, Refusal>;
 [[nodiscard]] ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes);
 
 }  // namespace grove::stream

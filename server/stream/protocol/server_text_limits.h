@@ -9,7 +9,8 @@ namespace grove::stream {
 inline constexpr std::size_t kMaxWorldNameBytes = 255;
 inline constexpr std::size_t kMaxStepBytes = 64;
 inline constexpr std::size_t kMaxPersonNameBytes = 64;
-/// Flag of a Picture.
+/// Flags of a Picture.
 inline constexpr std::uint8_t kIndependentFlag = 1;
+inline constexpr std::uint8_t kSpaceFlag = 2;
 
 }  // namespace grove::stream

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <concepts>
@@ -61,6 +62,16 @@ class WireReader {
     const std::string_view text = restAsText().substr(0, bytes);
     rest_ = rest_.subspan(text.size());
     return text;
+  }
+
+  std::span<const std::uint8_t> takeBytes(std::size_t count) {
+    if (rest_.size() < count) {
+      exhausted_ = true;
+      rest_ = {};
+    }
+    const std::span<const std::uint8_t> bytes = rest_.first(std::min(count, rest_.size()));
+    rest_ = rest_.subspan(bytes.size());
+    return bytes;
   }
 
   [[nodiscard]] std::span<const std::uint8_t> rest() const noexcept { return rest_; }

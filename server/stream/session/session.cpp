@@ -206,12 +206,17 @@ node::View Session::look(node::FrameNumber frame) {
   view.viewer = player_;
   view.time = instance->worldSeconds(now);
   view.players = world.players().all(now);
-  view.lights = world.layout().lightsAt(view.time, view.players);
   const auto self = std::ranges::find(view.players, player_, &world::Player::id);
   if (self != view.players.end()) {
-    view.camera.pose = self->pose;
     view.lastInput = self->lastInput;
+    view.inputAge = now - self->inputTime;
+    view.viewerEye = self->pose.position;
+    view.viewerVelocity = self->velocity;
+    // Their own lantern and shadow are where they will be, too.
+    self->pose = lead_.poseAhead(world.players(), *self, control_->leadSeconds(), now);
+    view.camera.pose = self->pose;
   }
+  view.lights = world.layout().lightsAt(view.time, view.players);
   view.borderPercent = control_->aim(view.camera, view.frame, now);
   return view;
 }

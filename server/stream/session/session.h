@@ -13,6 +13,7 @@
 #include "stream/adapt/stream_control.h"
 #include "stream/encode/encoded_frame.h"
 #include "stream/protocol/protocol.h"
+#include "stream/session/camera_lead.h"
 #include "stream/session/frame_cadence.h"
 #include "world/players.h"
 
@@ -116,6 +117,7 @@ class Session : public std::enable_shared_from_this<Session> {
   const FrameSink sink_;
   const StreamTerms terms_;
   const std::shared_ptr<StreamControl> control_;
+  CameraLead lead_;  ///< used by look(), which runs once at a time
 
   mutable std::mutex mutex_;
   bool closed_ = false;

@@ -19,7 +19,14 @@ constexpr double kPeopleSeconds = 1.0;
 
 Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, std::move(reason)}; }
 
+Ground groundOf(const world::Players& players) {
+  Ground ground{.radius = players.radius(), .hills = players.hills(), .obstacles = players.obstacles()};
+  if (ground.obstacles.size() > kMaxGroundObstacles) ground.obstacles.resize(kMaxGroundObstacles);
+  return ground;
+}
+
 PageLevel levelOf(std::string_view subProtocol) {
+  if (subProtocol == kSubProtocolWithNearness) return PageLevel::kMoving;
   if (subProtocol == kSubProtocolWithNames) return PageLevel::kNaming;
   if (subProtocol == kSubProtocolWithTimes) return PageLevel::kTimed;
   return subProtocol == kSubProtocolWithVideo ? PageLevel::kAdaptive : PageLevel::kBasic;
@@ -95,6 +102,7 @@ People Connection::people() {
 
 std::vector<std::uint8_t> Connection::takeMessage() {
   if (!welcome_.empty()) return std::exchange(welcome_, {});
+  if (!ground_.empty()) return std::exchange(ground_, {});
   if (std::exchange(peopleAreDue_, false)) return encode(people());
   if (const auto status = outbox_->takeStatus()) return encode(*status);
   if (const auto times = outbox_->takeTimes()) return encode(*times);
@@ -117,6 +125,7 @@ void Connection::end(const Refusal& why) { leave(std::to_string(static_cast<int>
 void Connection::leave(const std::string& why) {
   if (std::exchange(ended_, true)) return;
   welcome_.clear();
+  ground_.clear();
   place_.reset();
   if (const auto session = std::exchange(session_, nullptr)) {
     session->close();
@@ -189,6 +198,7 @@ std::optional<Refusal> Connection::greet(const Hello& hello) {
   session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
   const Welcome welcome = session_->welcome();
   welcome_ = encode(welcome);
+  if (page_ >= PageLevel::kMoving) ground_ = encode(groundOf(host_.players()));
   door_.log.info(peer_ + " is visitor " + std::to_string(welcome.visitor) +
                  (hello.name.empty() ? "" : ", " + hello.name));
   return std::nullopt;

@@ -70,14 +70,15 @@ class Connection {
   [[nodiscard]] bool isInWorld() const noexcept { return session_ != nullptr; }
 
   [[nodiscard]] bool hasSomethingToSend() const {
-    return pingIsDue_ || peopleAreDue_ || !welcome_.empty() || !outbox_->empty() || hasRefiningToSend();
+    return pingIsDue_ || peopleAreDue_ || !welcome_.empty() || !ground_.empty() || !outbox_->empty() ||
+           hasRefiningToSend();
   }
   /// The writing thread has reached the outbox: a frame that still waits from now on waits for the socket.
   void reach(double now) {
     if (!reached_ && outbox_->hasFrame()) reached_ = now;
   }
-  /// Returns the next message to send before any frame: Welcome, People, Status, Times, a capture or Refining. Empty if
-  /// there is none.
+  /// Returns the next message to send before any frame: Welcome, Ground, People, Status, Times, a capture or Refining.
+  /// Empty if there is none.
   [[nodiscard]] std::vector<std::uint8_t> takeMessage();
   [[nodiscard]] std::shared_ptr<const EncodedFrame> takeFrame() { return outbox_->take(); }
   /// The frame has been written to the socket.
@@ -116,6 +117,7 @@ class Connection {
   std::shared_ptr<Session> session_;
   bool ended_ = false;
   std::vector<std::uint8_t> welcome_;
+  std::vector<std::uint8_t> ground_;  ///< follows Welcome
   std::vector<std::uint8_t> message_;
   double secondBegan_;
   int piecesThisSecond_ = 0;

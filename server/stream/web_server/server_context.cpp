@@ -38,9 +38,10 @@ void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line
 
 ServerContext::ServerContext(lws_callback_function* callback, void* user, std::size_t maxSockets,
                              std::shared_ptr<const TlsStore> tls)
-    : protocols_(new lws_protocols[6]{{kSubProtocol, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
+    : protocols_(new lws_protocols[7]{{kSubProtocol, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
                                       {kSubProtocolWithWaiting, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
                                       {kSubProtocolWithNames, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
+                                      {kSubProtocolWithNearness, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
                                       {kSubProtocolWithTimes, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
                                       {kSubProtocolWithVideo, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
                                       {}}),

@@ -1,6 +1,6 @@
 import { connect } from 'node:net';
 
-import { encodeHello, encodeLimits } from '../../../web/stream/protocol.js';
+import { encodeHello, encodeLimits } from '../../../web/stream/client_messages.js';
 import { kAttacker, kNewcomer } from '../addresses.mjs';
 import { atLeast, atMost, carriedOut, is, keepsHisRate, neverStops } from '../bounds.mjs';
 import { now, pause } from '../time.mjs';

@@ -1,6 +1,6 @@
 import { randomBytes } from 'node:crypto';
 
-import { encodeHello, encodeInput, encodeResize } from '../../../web/stream/protocol.js';
+import { encodeHello, encodeInput, encodeResize } from '../../../web/stream/client_messages.js';
 import { kAttacker } from '../addresses.mjs';
 import { carriedOut, is, keepsHisRate, neverStops } from '../bounds.mjs';
 import { becomes, now } from '../time.mjs';

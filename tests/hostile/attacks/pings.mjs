@@ -1,4 +1,4 @@
-import { encodeHello } from '../../../web/stream/protocol.js';
+import { encodeHello } from '../../../web/stream/client_messages.js';
 import { kAttacker } from '../addresses.mjs';
 import { atLeast, atMost, carriedOut, keepsHisRate, neverStops } from '../bounds.mjs';
 import { bytesUnread } from '../readings.mjs';

@@ -1,4 +1,4 @@
-import { encodeHello, encodeResize } from '../../../web/stream/protocol.js';
+import { encodeHello, encodeResize } from '../../../web/stream/client_messages.js';
 import { kAttacker } from '../addresses.mjs';
 import { atLeast, atMost, carriedOut, neverStops } from '../bounds.mjs';
 import { now, pause, repeat } from '../time.mjs';

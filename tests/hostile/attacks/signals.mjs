@@ -3,7 +3,7 @@ import { atMost, is } from '../bounds.mjs';
 import { temporaryFolder } from '../leftovers.mjs';
 import { Server } from '../server.mjs';
 import { becomes, pause } from '../time.mjs';
-import { encodeHello } from '../../../web/stream/protocol.js';
+import { encodeHello } from '../../../web/stream/client_messages.js';
 import { openWebSocket } from '../websocket.mjs';
 
 /** SIGTERM at bad moments. */

@@ -1,4 +1,4 @@
-import { encodeAck, encodeHello } from '../../../web/stream/protocol.js';
+import { encodeAck, encodeHello } from '../../../web/stream/client_messages.js';
 import { kAttacker } from '../addresses.mjs';
 import { atMost, carriedOut, neverStops } from '../bounds.mjs';
 import { portsHeldByServer } from '../readings.mjs';

@@ -15,7 +15,7 @@ namespace {
 constexpr double kFullRate = 30.0;
 
 /// A machine that makes so many whole pictures a second, for visitors who all want as many. Smaller pictures cost less,
-/// by a power of their width that is known here only.
+/// by a power of their width that is known here only. The first `moving` visitors have pages that move pictures.
 class Machine {
  public:
   Machine(double pictures, std::size_t visitors, double exponent = 1.5) : pictures_(pictures), exponent_(exponent) {
@@ -27,30 +27,38 @@ class Machine {
     while (streams_.size() > count) streams_.pop_back();
   }
   void setPictures(double pictures) { pictures_ = pictures; }
+  void setMoving(std::size_t count) { moving_ = count; }
 
-  /// Returns how often pictures changed their size.
+  /// Returns how often pictures changed their size or rate.
   int run(double seconds) {
     int changes = 0;
     for (const double end = now_ + seconds; now_ < end; now_ += 0.03) {
-      const double before = governor_->scale();
-      const double can = pictures_ / std::pow(before, exponent_) / static_cast<double>(streams_.size());
-      const double achieved = std::min(kFullRate, can);
-      busy_ = achieved / can;
+      const Governor::Share before = governor_->share();
+      const double moved = std::min(kFullRate, before.movedPerSecond);
+      const auto moving = static_cast<double>(std::min(moving_, streams_.size()));
+      const double wanted = moving * moved + (static_cast<double>(streams_.size()) - moving) * kFullRate;
+      const double part = std::min(1.0, pictures_ / std::pow(before.scale, exponent_) / wanted);
+      busy_ = std::min(1.0, wanted * std::pow(before.scale, exponent_) / pictures_);
+      std::size_t index = 0;
       for (Governor::Stream& stream : streams_) {
-        stream.update(Governor::Pace{kFullRate, achieved, 1.0 - achieved / kFullRate}, now_);
+        const bool moves = index++ < moving_;
+        const double rate = moves ? moved : kFullRate;
+        stream.update(Governor::Pace{rate, part * rate, 1.0 - part, moves}, now_);
       }
-      changes += governor_->scale() == before ? 0 : 1;
+      changes += governor_->share() == before ? 0 : 1;
     }
     return changes;
   }
 
-  [[nodiscard]] double scale() const { return governor_->scale(); }
+  [[nodiscard]] double scale() const { return governor_->share().scale; }
+  [[nodiscard]] double movedPerSecond() const { return governor_->share().movedPerSecond; }
   const std::shared_ptr<Governor>& governor() { return governor_; }
   [[nodiscard]] double now() const { return now_; }
 
  private:
   double pictures_;
   const double exponent_;
+  std::size_t moving_ = 0;
   double busy_ = 0.0;
   const std::shared_ptr<Governor> governor_ = std::make_shared<Governor>([this] { return busy_; });
   std::list<Governor::Stream> streams_;
@@ -126,6 +134,42 @@ TEST(Governor, BacksOffAfterFailedSizes) {
   }
   EXPECT_GE(tries, 6);
   EXPECT_LE(tries, 18);
+}
+
+// Faults: pages that could move pictures lose lines first; pictures that come more seldom than the machine needs; that
+// stay rare when there is room.
+TEST(Governor, SendsFewerPicturesToPagesThatMoveThem) {
+  struct Case {
+    double pictures;
+    double perSecond;
+    double scale;
+  };
+  for (const auto& [pictures, perSecond, scale] :
+       {Case{100.0, 20.0, 1.0}, Case{65.0, 15.0, 1.0}, Case{47.0, 15.0, 5.0 / 6.0}, Case{9.0, 15.0, 0.5}}) {
+    Machine machine(pictures, 4);
+    machine.setMoving(4);
+    machine.run(4.8);
+    EXPECT_EQ(machine.movedPerSecond(), perSecond) << pictures;
+    EXPECT_EQ(machine.scale(), scale) << pictures;
+    machine.setPictures(300.0);
+    machine.run(60.0);
+    EXPECT_EQ(machine.governor()->share(), Governor::Share()) << pictures;
+  }
+}
+
+// Fault: a rate that falls although nobody's page moves pictures, while all wait for smaller ones.
+TEST(Governor, ShrinksAtOnceWhenNobodyMovesPictures) {
+  Machine machine(45.0, 4);
+  EXPECT_EQ(machine.run(4.8), 3);
+  EXPECT_EQ(machine.governor()->share(), (Governor::Share{.scale = 0.5}));
+}
+
+// Fault: one visitor whose page moves pictures pays for those whose pages do not.
+TEST(Governor, ShrinksEverybodysPicturesWhenFewMove) {
+  Machine machine(60.0, 4);
+  machine.setMoving(1);
+  machine.run(6.0);
+  EXPECT_EQ(machine.scale(), 2.0 / 3.0);
 }
 
 // Faults: a slow line or browser, or a page that nobody sees, for which the machine is taken to be slow; the pace of a

@@ -16,9 +16,9 @@ constexpr QuantiserRange kRange{.finest = 20.0, .usual = 25.0, .coarsest = 40.0}
 /// A visitor whose page decodes all there is, on a line that is always good.
 class Led {
  public:
-  Led()
+  explicit Led(PageLevel page = PageLevel::kTimed)
       : encoders_(builtinEncoders(75)),
-        control_(encoders_, std::make_shared<Governor>([] { return 1.0; }), PageLevel::kTimed, 30.0, 1280, 720) {
+        control_(encoders_, std::make_shared<Governor>([] { return 1.0; }), page, 30.0, 1280, 720) {
     control_.offer({kCodecH264, kCodecJpeg});
   }
 
@@ -220,6 +220,23 @@ TEST(StreamControl, BusyBrowserGetsFewerFramesFullServerFewerPixels) {
   EXPECT_EQ(other.control().status().height, 480);
   EXPECT_EQ(other.control().framesPerSecond(), 30.0);
   EXPECT_EQ(other.control().status().limitedBy, LimitedBy::kMachine);
+}
+
+// Faults: a full server that gives whole pictures, or as many as ever, to a page that moves them; that takes pictures
+// from one that does not; a visitor's own limit that is forgotten.
+TEST(StreamControl, FullServerSendsFewerPicturesToPagesThatMoveThem) {
+  for (const bool moves : {true, false}) {
+    Led led(PageLevel::kMoving);
+    led.control().limit({.nearness = moves});
+    led.delay({.server = 0.020});
+    for (double end = led.now() + 3.2; led.now() < end;) (void)led.frame(18'000);
+    EXPECT_EQ(led.control().framesPerSecond(), moves ? 20.0 : 30.0);
+    EXPECT_EQ(led.control().status().height, moves ? 720 : 480);
+    EXPECT_EQ(led.control().status().limitedBy, LimitedBy::kMachine);
+    led.control().limit({.nearness = moves, .framesPerSecond = 12});
+    (void)led.frame(18'000);
+    EXPECT_EQ(led.control().framesPerSecond(), 12.0);
+  }
 }
 
 // Faults: H.264 for a server that has no time for it, over a line that could carry anything; JPEG for a visitor who

@@ -50,6 +50,15 @@ TEST_F(LoadClientTest, UsesTheRequestedCodec) {
   EXPECT_EQ(report.codec, "jpeg");
 }
 
+// Faults: a sub-protocol that the library does not know; pictures with nearness that count as damaged.
+TEST_F(LoadClientTest, TakesPicturesWithNearness) {
+  LoadPlan asked = plan(1, 0.5);
+  asked.lateWalk = true;
+  const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, asked));
+  EXPECT_THAT(report.errors, IsEmpty());
+  EXPECT_GT(report.frames, 2U);
+}
+
 /// Who stands still gets pictures, or word that none are needed.
 TEST_F(LoadClientTest, MeasuresLatencyWhileStanding) {
   LoadPlan still = plan(1, 1.5);

@@ -2,6 +2,7 @@
 
 #include "stream/encode/h264_stream.h"
 #include "stream/load/load_visitor_fixture.h"
+#include "stream/protocol/jpeg_patches.h"
 
 namespace grove::stream {
 namespace {
@@ -47,6 +48,13 @@ class VideoVisitorTest : public LoadVisitorTest {
   static std::vector<std::uint8_t> jpegOf(const std::vector<std::uint8_t>& frame) {
     return {frame.begin() + kFrameHeaderBytes, frame.end()};
   }
+  static std::vector<std::uint8_t> patchOf(std::uint16_t left, std::uint16_t top,
+                                           const std::vector<std::uint8_t>& jpeg) {
+    std::vector<std::uint8_t> patch(kPatchHeaderBytes);
+    encodePatchHeader(left, top, static_cast<std::uint32_t>(jpeg.size()), std::span(patch).first<kPatchHeaderBytes>());
+    patch.insert(patch.end(), jpeg.begin(), jpeg.end());
+    return patch;
+  }
   /// What he says without being asked for input.
   static std::vector<ClientMessage> saidBy(LoadVisitor& visitor) {
     std::vector<ClientMessage> messages;
@@ -64,13 +72,26 @@ TEST_F(VideoVisitorTest, OffersItsCodecsBeforeHello) {
   visitor.agreedOn(kSubProtocolWithVideo);
   const ClientMessage first = parseClientMessage(visitor.nextMessage(0.0));
   ASSERT_TRUE(std::holds_alternative<Offer>(first));
-  EXPECT_THAT(std::get<Offer>(first).codecs, ElementsAre(kCodecH264, kCodecJpeg));
+  EXPECT_THAT(std::get<Offer>(first).codecs, ElementsAre(kCodecH264, kCodecJpegPatches, kCodecJpeg));
   EXPECT_TRUE(std::holds_alternative<Hello>(parseClientMessage(visitor.nextMessage(0.0))));
   EXPECT_FALSE(visitor.hasMessage());
 
   LoadVisitor older(0, plan_, decoder_);
   older.agreedOn(kSubProtocolWithWaiting);
   EXPECT_TRUE(std::holds_alternative<Hello>(parseClientMessage(older.nextMessage(0.0))));
+}
+
+// Faults: a visitor who asks for late walk and does not tell the server; one who did not, and tells it.
+TEST_F(VideoVisitorTest, AsksForNearnessOfANewServerOnly) {
+  LoadVisitor visitor(0, plan_, decoder_);
+  visitor.agreedOn(kSubProtocolWithNearness);
+  EXPECT_TRUE(std::holds_alternative<Offer>(parseClientMessage(visitor.nextMessage(0.0))));
+  EXPECT_TRUE(std::holds_alternative<Hello>(parseClientMessage(visitor.nextMessage(0.0))));
+  const ClientMessage limits = parseClientMessage(visitor.nextMessage(0.0));
+  ASSERT_TRUE(std::holds_alternative<Limits>(limits));
+  EXPECT_TRUE(std::get<Limits>(limits).nearness);
+  EXPECT_TRUE(std::get<Limits>(limits).border);
+  EXPECT_FALSE(visitor.hasMessage());
 }
 
 TEST_F(VideoVisitorTest, ReportsWhenEachPictureArrived) {
@@ -145,6 +166,20 @@ TEST_F(VideoVisitorTest, DetectsMislabelledPictures) {
       HasSubstr("depends on a picture that was not sent"))
       << "the picture before it is a JPEG";
   EXPECT_THAT(faultOf({picture(1, jpegOf(frame(1, 0)), false, kCodecJpeg)}), HasSubstr("JPEG that depends"));
+  const auto whole = patchOf(0, 0, jpegOf(frame(1, 0)));
+  const auto patches = [&](std::uint32_t number, const std::vector<std::uint8_t>& bytes, bool independent) {
+    return picture(number, bytes, independent, kCodecJpegPatches);
+  };
+  EXPECT_EQ(faultOf({patches(1, whole, true), patches(2, whole, false)}), "");
+  EXPECT_THAT(faultOf({patches(1, whole, false)}), HasSubstr("depends on a picture that was not sent"));
+  EXPECT_THAT(faultOf({patches(1, {}, true)}), HasSubstr("invalid message from the server")) << "as pages say";
+  std::vector<std::uint8_t> twice = whole;
+  twice.insert(twice.end(), whole.begin(), whole.end());
+  EXPECT_THAT(faultOf({patches(1, twice, true)}), HasSubstr("not one JPEG"));
+  EXPECT_THAT(faultOf({patches(1, whole, true), patches(2, patchOf(2, 0, jpegOf(frame(1, 0))), false)}),
+              HasSubstr("a part outside"));
+  EXPECT_THAT(faultOf({patches(1, whole, true), patches(2, {whole.begin(), whole.end() - 1}, false)}),
+              HasSubstr("cut off"));
   EXPECT_THAT(faultOf({frame(1, 0)}), HasSubstr("a Frame arrived"));
 }
 

@@ -41,6 +41,7 @@ Json fieldsOf(const Limits& limits) {
   return {{"message", "Limits"},
           {"hidden", limits.hidden},
           {"border", limits.border},
+          {"nearness", limits.nearness},
           {"framesPerSecond", limits.framesPerSecond},
           {"kilobitsPerSecond", limits.kilobitsPerSecond},
           {"lines", limits.lines}};
@@ -148,6 +149,13 @@ Json fieldsOf(const PictureMessage& picture) {
   fields["tanHalfX"] = header.tanHalfX;
   fields["tanHalfY"] = header.tanHalfY;
   fields["fire"] = header.fire / 255.0;
+  if (const auto& space = header.space) {
+    fields["space"] = {{"eye", {space->eye.x, space->eye.y, space->eye.z}},
+                       {"visitor", {space->visitor.x, space->visitor.y, space->visitor.z}},
+                       {"velocity", {space->velocity.x, space->velocity.y}},
+                       {"sinceInput", space->sinceInputMicroseconds / 1000.0},
+                       {"nearness", hex(space->nearness)}};
+  }
   fields["labels"] = Json::array();
   for (const Label& label : header.labels) {
     fields["labels"].push_back({{"visitor", label.visitor},
@@ -156,6 +164,18 @@ Json fieldsOf(const PictureMessage& picture) {
                                 {"opacity", label.opacity / 255.0}});
   }
   return fields;
+}
+
+Json fieldsOf(const Ground& ground) {
+  Json hills = Json::array();
+  for (const world::Hill& hill : ground.hills) {
+    hills.push_back({{"x", hill.centre.x}, {"z", hill.centre.y}, {"radius", hill.radius}, {"height", hill.height}});
+  }
+  Json obstacles = Json::array();
+  for (const world::Obstacle& obstacle : ground.obstacles) {
+    obstacles.push_back({{"x", obstacle.centre.x}, {"z", obstacle.centre.y}, {"radius", obstacle.radius}});
+  }
+  return {{"message", "Ground"}, {"radius", ground.radius}, {"hills", hills}, {"obstacles", obstacles}};
 }
 
 Json fieldsOf(const CapturedMessage& captured) {
@@ -181,11 +201,12 @@ Bytes encodeAgain(const Painted& painted) { return encode(painted); }
 Bytes encodeAgain(const Capture& capture) { return encode(capture); }
 Bytes encodeAgain(const Times& times) { return encode(times); }
 Bytes encodeAgain(const People& people) { return encode(people); }
+Bytes encodeAgain(const Ground& ground) { return encode(ground); }
 Bytes encodeAgain(const Status& status) { return encode(status); }
 Bytes encodeAgain(const Refining& refining) { return encode(refining); }
 Bytes encodeAgain(const Refusal&) { return {}; }
 Bytes encodeAgain(const PictureMessage& picture) {
-  Bytes bytes(pictureHeaderBytes(picture.header.labels.size()));
+  Bytes bytes(pictureHeaderBytes(picture.header));
   encode(picture.header, bytes);
   bytes.insert(bytes.end(), picture.picture.begin(), picture.picture.end());
   return bytes;
@@ -206,7 +227,7 @@ Bytes encodeAgain(const CapturedMessage& captured) {
 
 bool isFromServer(const Json& fields) {
   static const std::set<std::string> kMessages{"Welcome",  "Waiting",  "Frame", "Picture", "Status",
-                                               "Refining", "Captured", "Times", "People"};
+                                               "Refining", "Captured", "Times", "People",  "Ground"};
   return kMessages.contains(fields["message"]);
 }
 
@@ -233,9 +254,10 @@ TEST(GoldenMessages, EncodeToTheirBytes) {
 TEST(GoldenMessages, CoverEveryMessage) {
   std::set<std::string> messages;
   for (const Json& entry : golden()) messages.insert(entry["fields"]["message"]);
-  EXPECT_EQ(messages, (std::set<std::string>{"Ack", "Broken", "Capture", "Captured", "Frame", "Hello", "Input",
-                                             "Limits", "Offer", "Painted", "People", "Picture", "Presented", "Refining",
-                                             "Resize", "Status", "Times", "Waiting", "Welcome"}));
+  EXPECT_EQ(messages,
+            (std::set<std::string>{"Ack",      "Broken", "Capture", "Captured", "Frame",   "Ground",  "Hello",
+                                   "Input",    "Limits", "Offer",   "Painted",  "People",  "Picture", "Presented",
+                                   "Refining", "Resize", "Status",  "Times",    "Waiting", "Welcome"}));
 }
 
 }  // namespace

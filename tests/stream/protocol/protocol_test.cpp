@@ -148,10 +148,12 @@ TEST(Protocol, RefusesImpossibleLabels) {
   const std::size_t most = pictureHeaderBytes(kMaxLabels);
   Bytes picture(most);
   encode(header, picture);
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(picture))) << "no bytes after the labels";
+  picture.push_back(7);
   EXPECT_EQ(std::get<PictureMessage>(parseServerMessage(picture)).header.labels.size(), kMaxLabels);
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(picture).first(most - 1))));
   Bytes reserved = picture;
-  reserved.back() = 1;
+  reserved[most - 1] = 1;
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(reserved)));
   Bytes more = picture;
   more[10] = kMaxLabels + 1;
@@ -159,15 +161,66 @@ TEST(Protocol, RefusesImpossibleLabels) {
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(more)));
 }
 
+/// Of a message that is valid only as a whole.
+void expectExactLength(const Bytes& message) {
+  for (std::size_t length = 0; length < message.size(); ++length) {
+    EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(message).first(length)))) << length;
+  }
+  Bytes longer = message;
+  longer.push_back(0);
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(longer)));
+}
+
+// Faults: a reader past the end of a space; a visitor who walks to a place that is not a number.
+TEST(Protocol, RefusesImpossibleSpaces) {
+  PictureHeader header;
+  header.space = Space{.eye = {1.0F, 2.0F, 3.0F}, .nearness = {1, 2, 3}};
+  Bytes picture(pictureHeaderBytes(header));
+  ASSERT_EQ(picture.size(), kPictureHeaderBytes + kSpaceBytes + 3);
+  encode(header, picture);
+  for (std::size_t length = 0; length <= picture.size(); ++length) {
+    EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(picture).first(length)))) << length;
+  }
+  picture.push_back(7);
+  ASSERT_TRUE(std::holds_alternative<PictureMessage>(parseServerMessage(picture)));
+  for (std::size_t field = 0; field < 8; ++field) {
+    Bytes infinite = picture;
+    infinite[kPictureHeaderBytes + 4 * field + 2] = 0x80;
+    infinite[kPictureHeaderBytes + 4 * field + 3] = 0x7F;
+    EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(infinite))) << field;
+  }
+  Bytes reserved = picture;
+  reserved[kPictureHeaderBytes + kSpaceBytes - 1] = 1;
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(reserved)));
+  Bytes longer = picture;
+  longer[kPictureHeaderBytes + kSpaceBytes - 4] = 4;
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(longer))) << "no byte is left for the picture";
+}
+
+TEST(Protocol, RefusesImpossibleGround) {
+  const Bytes ground = encode(Ground{40.0F, {{{1.0F, 2.0F}, 8.0F, 0.5F}}, {{{3.0F, 4.0F}, 0.5F}}});
+  ASSERT_TRUE(std::holds_alternative<Ground>(parseServerMessage(ground)));
+  expectExactLength(ground);
+  const auto refuses = [](const Ground& bad) {
+    return std::holds_alternative<Refusal>(parseServerMessage(encode(bad)));
+  };
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_TRUE(refuses({0.0F, {}, {}}));
+  EXPECT_TRUE(refuses({kNan, {}, {}}));
+  EXPECT_TRUE(refuses({40.0F, {{{0.0F, 0.0F}, 0.0F, 0.5F}}, {}}));
+  EXPECT_TRUE(refuses({40.0F, {{{0.0F, 0.0F}, 8.0F, kNan}}, {}}));
+  EXPECT_TRUE(refuses({40.0F, {}, {{{kNan, 0.0F}, 0.5F}}}));
+  EXPECT_TRUE(refuses({40.0F, {}, {{{0.0F, 0.0F}, -0.5F}}}));
+  Bytes many = encode(Ground{40.0F, {}, {}});
+  many[1] = 65;
+  many.resize(many.size() + std::size_t{65} * 16);
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(many))) << "65 hills";
+}
+
 TEST(Protocol, RefusesImpossibleRosters) {
   const Bytes people = encode(People{false, {{1, 0x4FB4FF, "Ada"}, {2, 0, "日本"}}});
   ASSERT_TRUE(std::holds_alternative<People>(parseServerMessage(people)));
-  for (std::size_t length = 0; length < people.size(); ++length) {
-    EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(people).first(length)))) << length;
-  }
-  Bytes longer = people;
-  longer.push_back(0);
-  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(longer)));
+  expectExactLength(people);
   Bytes reserved = people;
   reserved[1] = 2;
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(reserved)));

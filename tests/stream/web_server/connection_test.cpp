@@ -182,5 +182,19 @@ TEST_F(ConnectionTest, SendsTheRosterOncePerSecondAtMost) {
   EXPECT_EQ(namesToldTo(*ada), Names{"Ada"});
 }
 
+// Faults: a page that cannot walk ahead; an older one that gets a message it does not know.
+TEST_F(ConnectionTest, SendsTheGroundToPagesThatMovePictures) {
+  for (const char* subProtocol : {kSubProtocolWithNames, kSubProtocolWithNearness}) {
+    Connection connection(
+        host_, "a test", now_, [] {}, door_, subProtocol);
+    ASSERT_FALSE(connection.receive(whole(encode(Hello{"Ada", 320, 180})), now_));
+    ASSERT_TRUE(std::holds_alternative<Welcome>(parseServerMessage(connection.takeMessage())));
+    const ServerMessage next = parseServerMessage(connection.takeMessage());
+    const auto* ground = std::get_if<Ground>(&next);
+    EXPECT_EQ(ground != nullptr, subProtocol == kSubProtocolWithNearness);
+    EXPECT_TRUE(ground == nullptr || ground->radius == host_.players().radius());
+  }
+}
+
 }  // namespace
 }  // namespace grove::stream

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "pipeline/clocks.h"
-#include "stream/encode/jpeg_decoder.h"
+#include "stream/encode/jpeg/jpeg_decoder.h"
 #include "stream/web_server/served_world.h"
 
 namespace grove::stream {

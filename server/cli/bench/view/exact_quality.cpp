@@ -31,12 +31,6 @@ world::Scene exactly(world::Scene scene) {
   return scene;
 }
 
-/// Width and height are even, as encoders need them.
-PictureSize inLines(const PictureSize& size, int lines) {
-  const int width = (size.width * lines + size.height / 2) / size.height;
-  return {width + width % 2, lines};
-}
-
 }  // namespace
 
 std::optional<ExactQuality> measureExactQuality(const world::Scene& scene, const node::ObjectTypes& types,

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "stream/adapt/stream_policy.h"
 #include "stream/session/host.h"
 
 namespace grove::cli {
@@ -26,6 +27,7 @@ WalkVisitor::WalkVisitor(WalkWorld& world, const Terms& terms, std::unique_ptr<s
     : world_(world),
       session_(node::makeId(kFirstPart, terms.number)),
       size_(terms.size),
+      borderPercent_(terms.borderPercent),
       shelf_(std::make_shared<FrameShelf>(std::move(encoder), world.workers(), world.timeline())),
       node_(
           session_, terms.policy, [this](node::FrameNumber number) { return look(number); }, shelf_, [] {},
@@ -55,6 +57,8 @@ node::View WalkVisitor::look(node::FrameNumber number) const {
   view.frame = number;
   view.camera.width = size_.width;
   view.camera.height = size_.height;
+  if (borderPercent_ > 0) view.camera = stream::withBorder(view.camera, borderPercent_);
+  view.borderPercent = borderPercent_;
   view.camera.pose = moment_.pose;
   view.time = moment_.time;
   view.lights = moment_.lights;

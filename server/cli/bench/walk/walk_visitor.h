@@ -24,6 +24,7 @@ class WalkVisitor {
     std::uint32_t number = 1;  ///< unique among the visitors in the world
     PictureSize size;
     node::FramePolicy policy = walkPolicy();
+    int borderPercent = 0;  ///< as in stream::withBorder()
   };
   /// Without an encoder, frames are not encoded.
   WalkVisitor(WalkWorld& world, const Terms& terms, std::unique_ptr<stream::Encoder> encoder = nullptr);
@@ -48,6 +49,7 @@ class WalkVisitor {
   WalkWorld& world_;
   const node::SessionId session_;
   const PictureSize size_;
+  const int borderPercent_;
   Moment moment_;  ///< set only between two frames, when none is in progress
   const std::shared_ptr<FrameShelf> shelf_;
   node::FrontendNode node_;

@@ -18,6 +18,8 @@ constexpr double kFurtherWarmUpSeconds = 1.0;
 /// A simulation continues for two seconds after the last visitor.
 constexpr auto kUntilRest = std::chrono::milliseconds(2500);
 
+double rateOf(Pace pace) { return pace == Pace::kSixtyASecond ? kDisplayFramesPerSecond : kWalkFramesPerSecond; }
+
 void sleepUntil(double time) {
   std::this_thread::sleep_for(std::chrono::duration<double>(time - pipeline::wallSeconds()));
 }
@@ -60,13 +62,14 @@ void WalkWorld::walk(const world::Walk& walk, double seconds, Pace pace, const L
   const Presence presence(*players_, instance_);
   const double warmUpSeconds = std::exchange(warm_, true) ? kFurtherWarmUpSeconds : kSmokeRisesSeconds;
   const double begin = pipeline::wallSeconds() + warmUpSeconds;
-  const auto warmUpFrames = static_cast<int>(warmUpSeconds * kWalkFramesPerSecond);
-  const auto count = static_cast<int>(seconds * kWalkFramesPerSecond);
+  const double rate = rateOf(pace);
+  const auto warmUpFrames = static_cast<int>(warmUpSeconds * rate);
+  const auto count = static_cast<int>(seconds * rate);
   for (int i = -warmUpFrames; i < count && !stop.stop_requested(); ++i) {
-    const double time = i / kWalkFramesPerSecond;
+    const double time = i / rate;
     // A warm-up ends on time, however few frames it had.
     if (i < 0 && pipeline::wallSeconds() > begin) continue;
-    if (i < 0 || pace == Pace::kThirtyASecond) sleepUntil(begin + time);
+    if (i < 0 || pace != Pace::kOneAfterOther) sleepUntil(begin + time);
     instance_.publishIfDue(pipeline::wallSeconds());
     (i < 0 ? warmUp : look)(momentAt(walk.thereAndBack(std::max(0.0, time))));
   }

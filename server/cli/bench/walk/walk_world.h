@@ -23,6 +23,7 @@
 namespace grove::cli {
 
 inline constexpr double kWalkFramesPerSecond = 30.0;
+inline constexpr double kDisplayFramesPerSecond = 60.0;
 
 /// Pose, time and lights that determine a frame.
 struct Moment {
@@ -34,6 +35,7 @@ struct Moment {
 /// Timing of a walk's frames.
 enum class Pace : std::uint8_t {
   kThirtyASecond,  ///< one begins every 1/30 s, or later if the previous one takes longer
+  kSixtyASecond,   ///< the same, every 1/60 s
   kOneAfterOther,  ///< as fast as possible
 };
 
@@ -50,7 +52,7 @@ class WalkWorld {
   using Look = std::function<void(const Moment&)>;
 
   /// Calls `warmUp` and then `look` once for each frame of the walk, back and forth: as many frames as `seconds` has at
-  /// 30 per second, whatever the pace. The warm-up takes a second at the walk's begin, and the first one until smoke
+  /// the pace's rate, 30 per second if it has none. The warm-up takes a second at the walk's begin, and the first one until smoke
   /// has risen. Simulations tick meanwhile. Between two frames smoke advances as for visitors if frames are on time,
   /// and farther if a frame takes longer. Returns early after a stop request.
   void walk(const world::Walk& walk, double seconds, Pace pace, const Look& warmUp, const Look& look,

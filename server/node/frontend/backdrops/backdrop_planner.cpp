@@ -43,6 +43,8 @@ constexpr float kMinError = 1.0e-3F;
 constexpr float kMaxExtendedError = 0.7F;
 /// Seconds. A visitor who stands still sees finer data with this delay.
 constexpr double kMaxAge = 0.5;
+/// Factor by which frames may be larger or smaller than the backdrop that they show until it is the visitor's turn.
+constexpr float kMaxResize = 2.1F;
 /// Frames that draw everything after a backdrop that no other frame could show, unless the machine is busy.
 constexpr int kPauseFrames = 2;
 
@@ -58,6 +60,12 @@ world::Camera withMargin(world::Camera camera, int across, int down) {
 
 bool isSameSize(const world::Camera& a, const world::Camera& b) {
   return a.width == b.width && a.height == b.height && a.verticalFov == b.verticalFov;
+}
+
+/// Whether the warp changes sizes by little enough to look like a picture of fewer pixels.
+bool isSimilarSize(const world::Camera& a, const world::Camera& b) {
+  const float times = a.focal() / b.focal();
+  return times < kMaxResize && times > 1.0F / kMaxResize;
 }
 
 }  // namespace
@@ -201,7 +209,11 @@ bool BackdropPlanner::serves(const View& view) const {
   const auto backdrop = backdrops_->newest();
   const bool isDrawn = backdrop && backdrop->origin().frame == last_->view->frame;
   const double maxAge = isDrawn && backdrop->origin().isFinal ? kMaxBackdropAge : kMaxAge;
-  if (!(age >= 0.0 && age <= maxAge) || !isSameSize(eye.camera, view.camera)) return false;
+  if (!(age >= 0.0 && age <= maxAge)) return false;
+  if (!isSameSize(eye.camera, view.camera)) {
+    // Pictures of all visitors change their size at the same time.
+    return isDrawn && backdrops_->turn().isOthers() && isSimilarSize(eye.camera, view.camera);
+  }
   // A backdrop in progress has no known error: it serves the next frame only.
   if (!isDrawn) return view.frame == last_->view->frame + 1;
   if (age < minSeconds()) return true;

@@ -29,7 +29,7 @@ StatisticsSources sourcesOf(const Host& host) {
           .nodes = host.nodeLinks(),
           .quality = host.quality(),
           .raisesQuality = host.options().raiseQuality,
-          .pictureScale = host.governor()->scale()};
+          .governed = host.governor()->share()};
 }
 
 std::string statistics(const Host& host) { return statisticsJson(sourcesOf(host)); }

@@ -1,5 +1,6 @@
 #include "stream/web_server/pages/statistics_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -64,24 +65,30 @@ constexpr double kServedShare = 29.0 / 30.0;
 /// of a load that has gone, or of other programs.
 constexpr double kBusyShare = 0.75;
 
+/// Frames per second for which visitors are counted: while pages with late walk get fewer pictures, what visitors get
+/// on average. Most of the cost of a frame goes by the visitor's way, so twice the frames would not cost twice as much.
+double countedRate(const measure::Amortization& measured, const StatisticsSources& sources) {
+  const double nominal = sources.meter.nominalFramesPerSecond();
+  return std::min(nominal, std::max(sources.governed.movedPerSecond, measured.framesPerSecond));
+}
+
 /// `whole`: with pictures of the wanted size.
 int visitorsFit(const measure::Amortization& measured, const measure::Capacity& whole, double cores,
                 const StatisticsSources& sources) {
   const measure::AmortizationMeter& meter = sources.meter;
-  const bool areSmaller = sources.pictureScale < 1.0;
-  const bool areTooMany = areSmaller && measured.cpuCores >= kBusyShare * cores;
-  const bool areServed = !areSmaller && measured.framesPerSecond >= kServedShare * meter.nominalFramesPerSecond();
+  const bool isGoverned = sources.governed != Governor::Share();
+  const bool areTooMany = isGoverned && measured.cpuCores >= kBusyShare * cores;
+  const bool areServed = !isGoverned && measured.framesPerSecond >= kServedShare * meter.nominalFramesPerSecond();
   return measure::correctedFit(whole.visitorsFit(cores), static_cast<int>(std::lround(measured.visitors)), areServed,
                                areTooMany);
 }
 
 Json amortization(const StatisticsSources& sources) {
-  const measure::AmortizationMeter& meter = sources.meter;
-  const auto measured = meter.newest();
+  const auto measured = sources.meter.newest();
   if (!measured) return nullptr;
   const auto cores = static_cast<double>(pipeline::coreCount());
-  const measure::Capacity capacity = measure::capacityOf(*measured, meter.nominalFramesPerSecond());
-  const measure::Capacity whole = measure::atFullSize(capacity, sources.pictureScale);
+  const measure::Capacity capacity = measure::capacityOf(*measured, countedRate(*measured, sources));
+  const measure::Capacity whole = measure::atFullSize(capacity, sources.governed.scale);
   Json report = {{"seconds", measured->seconds},
                  {"visitors", measured->visitors},
                  {"frames_per_second", measured->framesPerSecond}};
@@ -103,6 +110,8 @@ Json amortization(const StatisticsSources& sources) {
   report["types"] = std::move(types);
   return report;
 }
+
+Json limitOrNull(double limit) { return std::isfinite(limit) ? Json(limit) : Json(nullptr); }
 
 std::string_view nameOf(node::JoinedWorld::State state) {
   switch (state) {
@@ -199,7 +208,8 @@ std::string statisticsJson(const StatisticsSources& sources) {
               {"counters", counters(sources.timeline)},
               {"quality",
                {{"step", sources.quality}, {"steps", measure::kQualitySteps}, {"automatic", sources.raisesQuality}}},
-              {"picture_scale", sources.pictureScale},
+              {"picture_scale", sources.governed.scale},
+              {"moved_pictures_per_second", limitOrNull(sources.governed.movedPerSecond)},
               {"memory", memory(sources.memory.totals(), measure::residentBytes())},
               {"amortization", amortization(sources)}}
              .dump() +

@@ -10,6 +10,7 @@
 #include "node/world/joined_world.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
+#include "stream/adapt/governor.h"
 
 namespace grove::stream {
 
@@ -25,7 +26,7 @@ struct StatisticsSources {
   std::vector<node::NodeRouter::NodeLink> nodes = {};  ///< empty if this process serves all objects
   int quality = 0;                                     ///< see Host::quality()
   bool raisesQuality = false;
-  double pictureScale = 1.0;  ///< see Governor::scale()
+  Governor::Share governed = {};  ///< what the busy machine gives
 };
 
 /// Contents of `/statistics.json`. Current: the server's `version`; the `world`: `state` ("own", or of the link to its
@@ -35,7 +36,8 @@ struct StatisticsSources {
 /// of the link, and the node's own stages and memory, at most a second old (null for a node within this process or with
 /// a lost link). A pace covers the last five seconds and is null without a link to another process: bytes per second
 /// each way, and the minimum round trip. `picture_scale`: the share of the wanted width and height that a busy machine
-/// gives each visitor; `memory`: the bytes held, by holder. Since the start: each stage's work (across-user,
+/// gives each visitor; `moved_pictures_per_second`: the most that it gives pages with late walk (null: no limit);
+/// `memory`: the bytes held, by holder. Since the start: each stage's work (across-user,
 /// on-demand, per-user-backend or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the
 /// named counters. Over the last seconds: `amortization`, what sharing saves (null without visitors).
 [[nodiscard]] std::string statisticsJson(const StatisticsSources& sources);

@@ -215,6 +215,25 @@ TEST_F(BackdropWarpTest, StrongScaling) {
   });
 }
 
+/// Fails if a backdrop is shown at a wrong place while pictures have another size than it.
+TEST_F(BackdropWarpTest, ShowsPicturesOfAnotherSize) {
+  const world::Camera before = cameraOf(640, 360);
+  const auto backdrop = backdropOf(wallAt, before, {0, 0, 640, 360});
+  for (const auto& [width, height] : {std::pair(480, 270), std::pair(768, 432), std::pair(320, 180)}) {
+    const world::Camera after = cameraOf(width, height);
+    tests::onEachTarget([&, width = width, height = height] {
+      const Shown shown = show(*backdrop, after);
+      const auto wanted = tests::yuvOf(*testing::paint(wallAt, after, shown.picture->rect));
+      for (int y = 8; y < height - 8; ++y) {
+        for (int x = 8; x < width - 8; ++x) {
+          ASSERT_NEAR(shown.picture->y()[shown.picture->lumaAt(x, y)], wanted->y()[wanted->lumaAt(x, y)], 3)
+              << x << ", " << y << " of " << height;
+        }
+      }
+    });
+  }
+}
+
 TEST_F(BackdropWarpTest, PreparesOnlyOverdrawnParts) {
   const world::Camera before = cameraOf(640, 360);
   const auto backdrop = backdropOf(wallAt, before, {-20, -20, 660, 380});

@@ -64,6 +64,25 @@ TEST_F(BusyBackdrops, WaitForTheirTurn) {
   EXPECT_TRUE(planStep()->drawsBackdrop());
 }
 
+/// Fails if all visitors have backdrops drawn at once when the size of their pictures changes.
+TEST_F(BusyBackdrops, OfAnotherSizeServeUntilTheirTurn) {
+  draw(*plan());
+  RedrawTurn other(turns);
+  other.begin();
+  camera.width = 480;
+  camera.height = 270;
+  for (int i = 0; i < 5; ++i) EXPECT_FALSE(plan()->drawsBackdrop()) << i;
+  other.end();
+  const auto list = plan();
+  ASSERT_TRUE(list->drawsBackdrop());
+  EXPECT_EQ(list->backdropEye()->camera.height, 270);
+  draw(*list);
+  other.begin();
+  camera.width = 160;
+  camera.height = 90;
+  EXPECT_TRUE(plan()->drawsBackdrop()) << "a third of the size would be seen";
+}
+
 /// Fails if other visitors wait for a backdrop that is complete or that is never drawn.
 TEST_F(BusyBackdrops, ReturnTheirTurn) {
   const auto first = plan();
