@@ -98,6 +98,10 @@ class BitDecoder {
   std::uint32_t value_ = 0;
 };
 
+/// Steps by which a value may come out wrong. One step less costs 1.8 times as many bytes, and moved pictures are no
+/// closer to the true ones.
+constexpr int kTolerance = 1;
+
 constexpr int kCalm = 5;
 constexpr int kSlopes = 3;
 constexpr int kLengths = 8;
@@ -145,9 +149,10 @@ int median(int left, int above, int corner) {
   return left + above - corner;
 }
 
-/// Encodes or decodes all values. Returns whether they are in range.
-template <class Coder>
-bool codeAll(Coder& coder, NearnessGrid& grid) {
+/// Encodes or decodes all values. `errorOf` returns the error to code of a value and its prediction; the grid gets what
+/// a decoder makes of it. Returns whether the values are in range.
+template <class Coder, class ErrorOf>
+bool codeAll(Coder& coder, NearnessGrid& grid, const ErrorOf& errorOf) {
   ErrorCode<Coder> code(coder);
   const int across = grid.across;
   std::vector<int> errors(grid.values.size());
@@ -167,7 +172,7 @@ bool codeAll(Coder& coder, NearnessGrid& grid) {
       const int activity = size(x > 0, x - 1, y) + size(y > 0, x, y - 1) + size(y > 0 && x + 1 < across, x + 1, y - 1);
       const int predicted = median(left, above, corner);
       std::uint8_t& own = grid.values[indexOf(x, y)];
-      const int error = code.code(activity, std::abs(left - above) + std::abs(above - next), own - predicted);
+      const int error = code.code(activity, std::abs(left - above) + std::abs(above - next), errorOf(own, predicted));
       const int decoded = predicted + error;
       if (decoded < 0 || decoded > NearnessGrid::kMax) return false;
       errors[indexOf(x, y)] = error;
@@ -182,14 +187,18 @@ bool codeAll(Coder& coder, NearnessGrid& grid) {
 void encodeNearness(const NearnessGrid& grid, std::vector<std::uint8_t>& out) {
   BitEncoder coder(out);
   NearnessGrid copy = grid;
-  static_cast<void>(codeAll(coder, copy));
+  static_cast<void>(codeAll(coder, copy, [](int value, int predicted) {
+    const int error = value - predicted;
+    return std::abs(error) <= kTolerance ? 0 : error;
+  }));
   coder.finish();
 }
 
 std::optional<NearnessGrid> decodeNearness(std::span<const std::uint8_t> bytes, int width, int height) {
   NearnessGrid grid(width, height);
   BitDecoder coder(bytes);
-  if (!codeAll(coder, grid) || !coder.isAtEnd()) return std::nullopt;
+  const auto unknown = [](int /*value*/, int /*predicted*/) { return 0; };
+  if (!codeAll(coder, grid, unknown) || !coder.isAtEnd()) return std::nullopt;
   return grid;
 }
 

@@ -110,11 +110,12 @@ class Sender {
     }
     code_.clear();
     const std::int64_t begin = pipeline::threadCpuNanoseconds();
-    stream::NearnessGrid grid(*frame.nearness);
-    stream::encodeNearness(grid, code_);
+    stream::encodeNearness(stream::NearnessGrid(*frame.nearness), code_);
     report.cpuMilliseconds += static_cast<double>(pipeline::threadCpuNanoseconds() - begin) * 1e-6;
     report.spaceBytes += static_cast<double>(stream::kSpaceBytes + code_.size());
-    return {0, 0, frame.view, decoder_.shown().colour, std::move(grid)};
+    const world::Camera& camera = frame.view->camera;
+    return {0, 0, frame.view, decoder_.shown().colour,
+            stream::decodeNearness(code_, camera.width, camera.height).value()};
   }
 
  private:
