@@ -22,6 +22,9 @@ inline constexpr double kMaxBackdropAge = 3.0;
 /// Only the nearest names are shown, at most this many.
 inline constexpr std::size_t kMaxLabelsPerFrame = 24;
 
+/// Only the motion of the nearest objects is reported, of at most this many.
+inline constexpr std::size_t kMaxMoversPerFrame = 16;
+
 /// Versions of subscribed data that a backend node sends before the first of them is acknowledged.
 inline constexpr std::size_t kMaxUnacknowledged = 8;
 

@@ -57,12 +57,24 @@ struct Label {
   float opacity = 1.0F;     ///< above 0, up to 1
 };
 
+/// The part of a frame where an object may be that moves by itself.
+struct Mover {
+  world::Rect rect;             ///< pixels of the frame
+  float nearest = 0.0F;         ///< its surfaces have view depths from this, metres, above 0
+  float farthest = 0.0F;        ///< to this
+  world::Vec3 velocity{0.0F};   ///< in the world, metres per second
+
+  /// Whether a surface of this nearness (1 / view depth, 1 / metres) may be the object's.
+  [[nodiscard]] bool isAt(float nearness) const { return nearness * nearest <= 1.0F && nearness * farthest >= 1.0F; }
+};
+
 /// A composited frame, the pipeline's product.
 struct FinishedFrame {
   std::shared_ptr<const View> view;
   std::shared_ptr<const raster::YuvImage> picture;         ///< whole frame
   std::vector<Label> labels = {};                          ///< nearest first, at most kMaxLabelsPerFrame
   std::shared_ptr<const CellNearness> nearness = nullptr;  ///< null: unknown
+  std::vector<Mover> movers = {};                          ///< nearest first, at most kMaxMoversPerFrame
 };
 
 inline pipeline::TraceTag traceTag(const std::shared_ptr<const FrameList>& list) {

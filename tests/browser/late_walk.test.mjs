@@ -187,6 +187,26 @@ test('who stands still sees the pictures as they are', async () => {
   assert.equal(await lateLook(ada), 'on');
 });
 
+// Faults: others jump from picture to picture; a page that paints on when they have stopped.
+test('others walk on between two pictures', async () => {
+  const ada = await arrive({ script: askForFew });
+  const bob = await Visitor.arrive(browser, server.url, { viewport: kSmall });
+  guests.add(bob);
+  await bob.until('connection', 'open');
+  await bob.page.keyboard.down('w');
+  await pause(1500);
+  const before = await ada.page.evaluate(() => window.moved);
+  const { frames } = await ada.state();
+  await pause(1000);
+  const between = (await ada.page.evaluate(() => window.moved)) - before;
+  const pictures = Number((await ada.state()).frames) - Number(frames);
+  await bob.page.keyboard.up('w');
+  assert.ok(between >= pictures, `${between} paints between ${pictures} pictures`);
+  await pause(1000);
+  assert.equal(await ada.page.evaluate(() => window.source), 'own');
+  assert.equal(await lateLook(ada), 'on');
+});
+
 // Faults: the system's setting is not read, or only when the page starts.
 test('nothing is moved for a visitor who wants less motion', async () => {
   const ada = await arrive({ options: { reducedMotion: 'reduce' }, word: 'turning only' });

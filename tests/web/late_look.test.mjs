@@ -32,9 +32,9 @@ test('draws a triangle for a turn, a mesh for a step', () => {
   assert.equal(lateLook.isReady, true);
   const picture = withDepths(kPicture);
   lateLook.take({}, picture);
-  lateLook.seen(picture, { turn: kTurn, displacement: [0, 0, 0] });
-  lateLook.seen(picture, { turn: kTurn, displacement: kStep });
-  lateLook.seen(picture, { turn: kTurn, displacement: [0, 0, 0] });
+  lateLook.seen(picture, { turn: kTurn, displacement: [0, 0, 0], elapsed: 0 });
+  lateLook.seen(picture, { turn: kTurn, displacement: kStep, elapsed: 0 });
+  lateLook.seen(picture, { turn: kTurn, displacement: [0, 0, 0], elapsed: 0 });
   const [turned, moved, again] = log;
   assert.equal(turned.triangle, 3);
   assert.equal(turned.places, turned.corners);
@@ -49,7 +49,7 @@ test('draws a triangle for a turn, a mesh for a step', () => {
 test('pictures of another size get another mesh', () => {
   const { log, lateLook } = setUp();
   for (const width of [704, 1408, 704]) {
-    lateLook.seen(withDepths({ ...kPicture, width }), { turn: kTurn, displacement: kStep });
+    lateLook.seen(withDepths({ ...kPicture, width }), { turn: kTurn, displacement: kStep, elapsed: 0 });
   }
   assert.deepEqual(log.map(({ indices, of }) => indices === of), [true, true, true]);
   assert.ok(log[1].indices > 1.9 * log[0].indices);
@@ -60,7 +60,7 @@ test('pictures of another size get another mesh', () => {
 test('a restored context gets new buffers', () => {
   const { log, listeners, lateLook } = setUp();
   const picture = withDepths(kPicture);
-  const view = { turn: kTurn, displacement: kStep };
+  const view = { turn: kTurn, displacement: kStep, elapsed: 0 };
   lateLook.seen(picture, view);
   listeners.webglcontextlost({ preventDefault() {} });
   assert.equal(lateLook.isReady, false);

@@ -42,7 +42,7 @@ function pictureOf(ground, inputs, camera, arrival, up, lead) {
   const last = inputs.findLast((input) => timeOf(input) <= camera);
   const { position, velocity } = stateAt(ground, inputs, timeOf, camera);
   const eye = last ? walked(ground, { position, velocity }, last, lead / 1000).position : position;
-  const space = { eye, visitor: position, velocity, sinceInput: camera - (last ? timeOf(last) : 0) };
+  const space = { eye, visitor: position, velocity, sinceInput: camera - (last ? timeOf(last) : 0), moving: [] };
   return { camera, arrival, lastInput: last?.number ?? 0, space };
 }
 
@@ -170,7 +170,7 @@ function standing() {
   const prediction = new Prediction();
   prediction.setGround(kFlat);
   prediction.inputSent({ number: 1, keys: kForward, yaw: 0 }, 0);
-  const space = (z, sinceInput) => ({ eye: [0, kEyeHeight, z], visitor: [0, kEyeHeight, z], velocity: [0, -2.2], sinceInput });
+  const space = (z, sinceInput) => ({ eye: [0, kEyeHeight, z], visitor: [0, kEyeHeight, z], velocity: [0, -2.2], sinceInput, moving: [] });
   return { prediction, space };
 }
 
@@ -186,7 +186,7 @@ test('a teleport is shown at once', () => {
 // Faults: a walk by inputs of a former connection, or from a picture whose place in time nobody knows.
 test('pictures of unknown inputs, without a space or without a ground stay', () => {
   const { prediction, space } = standing();
-  const rest = { displacement: [0, 0, 0], until: -Infinity, isMoving: false };
+  const rest = { displacement: [0, 0, 0], elapsed: 0, until: -Infinity, isMoving: false };
   assert.deepEqual(prediction.moved({ space: space(0, 100), lastInput: 0 }, 200), rest);
   assert.deepEqual(prediction.moved({ space: space(0, 100), lastInput: 7 }, 200), rest);
   assert.deepEqual(prediction.moved({ space: null, lastInput: 1 }, 200), rest);
@@ -194,6 +194,21 @@ test('pictures of unknown inputs, without a space or without a ground stay', () 
   prediction.reset();
   prediction.inputSent({ number: 1, keys: kForward, yaw: 0 }, 300);
   assert.deepEqual(prediction.moved({ space: space(0, 100), lastInput: 1 }, 400), rest);
+});
+
+// Faults: others who stop between two pictures, or walk on for ever when no more come; a page that paints for nothing.
+test('others go on from picture to picture, for a tenth of a second', () => {
+  const { prediction, space } = standing();
+  const stays = { ...space(0, 100), velocity: [0, 0], moving: [{}] };
+  for (const lastInput of [1, 7]) {
+    const picture = { space: { ...stays }, lastInput };
+    assert.deepEqual([0, 16, 99, 100, 3000].map((later) => prediction.moved(picture, 200 + later).elapsed), [0, 16, 99, 100, 100]);
+    assert.equal(prediction.moved({ space: { ...stays }, lastInput }, 250).elapsed, 0, 'from another picture');
+  }
+  const unknown = { space: stays, lastInput: 7 };
+  assert.deepEqual([200, 299, 300].map((now) => prediction.moved(unknown, now).isMoving), [true, true, false]);
+  const alone = { space: { ...stays, moving: [] }, lastInput: 7 };
+  assert.deepEqual([200, 250].map((now) => prediction.moved(alone, now).elapsed), [0, 0]);
 });
 
 // Fault: a page that remembers every input of a visitor in a still world.

@@ -128,16 +128,26 @@ for (const [what, data] of [
   test(`refuses ${what}`, () => assert.throws(() => decodeServerMessage(data), ProtocolError));
 }
 
+const kPart = { rect: [8, 16, 24, 300], depths: [150, 250], velocity: [1.5, -0.5] };
+
+function hexOfPart({ rect, depths, velocity }) {
+  const view = new DataView(new ArrayBuffer(20));
+  [...rect, ...depths].forEach((value, i) => view.setUint16(2 * i, value, true));
+  velocity.forEach((value, i) => view.setFloat32(12 + 4 * i, value, true));
+  return hexOf(view.buffer);
+}
+
 /** The golden picture with labels, with a space of these fields. */
-function spatialPicture({ numbers = [1, 1.75, -2, 1.5, 1.75, -2.5, 0.5, -0.25], since = 12_500, bytes = 3, rest = 0, nearness = '0a0b0c', flags = 3 } = {}) {
+function spatialPicture({ numbers = [1, 1.75, -2, 1.5, 1.75, -2.5, 0.5, -0.25], since = 12_500, bytes = 3, parts = [], count = parts.length, rest = 0, nearness = '0a0b0c', flags = 3 } = {}) {
   const { hex } = golden.find((entry) => entry.name === 'picture with labels');
   const space = new DataView(new ArrayBuffer(40));
   numbers.forEach((value, i) => space.setFloat32(4 * i, value, true));
   space.setUint32(32, since, true);
   space.setUint16(36, bytes, true);
-  space.setUint16(38, rest, true);
+  space.setUint8(38, count);
+  space.setUint8(39, rest);
   const headerDigits = 2 * (40 + 2 * 10);
-  const buffer = bytesOf(hex.slice(0, headerDigits) + hexOf(space.buffer) + nearness + hex.slice(headerDigits));
+  const buffer = bytesOf(hex.slice(0, headerDigits) + hexOf(space.buffer) + parts.map(hexOfPart).join('') + nearness + hex.slice(headerDigits));
   new DataView(buffer).setUint8(2, flags);
   return buffer;
 }
@@ -150,6 +160,7 @@ test('reads the space of a picture', () => {
     visitor: [1.5, 1.75, -2.5],
     velocity: [0.5, -0.25],
     sinceInput: 12.5,
+    moving: [],
     nearness: '0a0b0c',
   });
   assert.equal(hexOf(picture), 'ffd8ffd9');
@@ -175,6 +186,26 @@ test('refuses a space that is cut short or not of numbers', () => {
   assert.throws(() => decodeServerMessage(spatialPicture({ bytes: 7 })), ProtocolError, 'no byte is left for the picture');
   assert.throws(() => decodeServerMessage(spatialPicture({ bytes: 65535 })), ProtocolError);
   assert.throws(() => decodeServerMessage(spatialPicture({ rest: 1 })), ProtocolError);
+});
+
+test('reads the moving parts of a picture', () => {
+  const { space, picture } = decodeServerMessage(spatialPicture({ parts: [kPart, { ...kPart, rect: [0, 0, 1, 1] }] }));
+  const part = { left: 8, top: 16, right: 24, bottom: 300, nearest: 1.5, farthest: 2.5, velocity: [1.5, 0, -0.5] };
+  assert.deepEqual(space.moving, [part, { ...part, left: 0, top: 0, right: 1, bottom: 1 }]);
+  assert.deepEqual([hexOf(space.nearness), hexOf(picture)], ['0a0b0c', 'ffd8ffd9']);
+});
+
+// Faults: a part without pixels, or nowhere; a division by zero; a page that reads beyond a message.
+test('refuses impossible moving parts', () => {
+  for (const change of [
+    { rect: [8, 16, 8, 300] }, { rect: [8, 16, 24, 16] }, { depths: [0, 250] }, { depths: [251, 250] }, { velocity: [NaN, 0] },
+    { velocity: [0, Infinity] },
+  ]) {
+    assert.throws(() => decodeServerMessage(spatialPicture({ parts: [{ ...kPart, ...change }] })), ProtocolError, JSON.stringify(change));
+  }
+  assert.equal(decodeServerMessage(spatialPicture({ parts: Array(16).fill(kPart) })).space.moving.length, 16);
+  assert.throws(() => decodeServerMessage(spatialPicture({ parts: Array(17).fill(kPart) })), ProtocolError);
+  assert.throws(() => decodeServerMessage(spatialPicture({ parts: [kPart], count: 2 })), ProtocolError);
 });
 
 /** A message Ground of these numbers. */

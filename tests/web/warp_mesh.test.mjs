@@ -53,7 +53,7 @@ function gridOf(picture, nearnessAt) {
 /** The corners of a bent mesh: their positions in the window, and their places in the picture. */
 function bend(picture, depths, view) {
   const mesh = new WarpMesh(picture);
-  mesh.bend(picture, depths, view);
+  mesh.bend(picture, depths, { elapsed: 0, ...view });
   return Array.from({ length: mesh.corners.length / 2 }, (_, i) => ({
     corner: [mesh.corners[2 * i], mesh.corners[2 * i + 1]],
     place: [mesh.places[2 * i], mesh.places[2 * i + 1]],
@@ -155,6 +155,55 @@ test('a silhouette moves with the nearer surface', () => {
   assert.ok(compared > 300);
 });
 
+/** Somebody two metres deep, who walks to the right before a wall at twenty metres, 1.4 m/s. */
+const kWalker = { left: 640, top: 200, right: 768, bottom: 792, nearest: 1.8, farthest: 2.2, velocity: [1.4, 0, 0] };
+
+/** The corners of a mesh after `elapsed` milliseconds; `hides`: something nearer hides the walker. */
+function bendWalker(elapsed, { displacement = [0, 0, 0], hides = false, ...changes } = {}) {
+  const picture = { ...kPicture, yaw: 0, pitch: 0, space: { moving: [{ ...kWalker, ...changes }] } };
+  const isWalker = (s, t) => s * picture.width > 640 && s * picture.width < 768 && t * picture.height > 200;
+  const depths = gridOf(picture, (s, t) => (isWalker(s, t) ? (hides ? 1 : 0.5) : 0.05));
+  const corners = bend(picture, depths, { turn: kNoTurn, displacement, elapsed });
+  return corners.map(({ corner, place: [s, t] }) => {
+    const far = project(picture, windowRay(picture, kNoTurn, corner));
+    return { at: far[0] * picture.width, y: far[1] * picture.height, source: s * picture.width, down: t * picture.height };
+  });
+}
+
+/** Pixels that 1.4 m/s are in 100 ms, two metres away. */
+const kWay = (0.14 / 2 / kPicture.tanHalfX / 2) * kPicture.width;
+
+// Faults: others who stand still between two pictures; a second copy of them where they were.
+test('somebody who walks goes on', () => {
+  let walker = 0;
+  for (const { at, y, source, down } of bendWalker(100)) {
+    if (y < 232) continue;
+    // Where the walker is or was, with the cell beside them that has their depth.
+    if (at > 624 && at < 784 + kWay) {
+      walker += 1;
+      assert.ok(Math.abs(source - (at - kWay)) < 0.01, `${source} at ${at}`);
+    } else if (at < 608 - 16 || at > 800 + 16 + kWay) {
+      assert.ok(Math.abs(source - at) < 0.01, `the wall stays: ${source} at ${at}`);
+    }
+    assert.ok(Math.abs(down - y) < 0.01);
+  }
+  assert.ok(walker > 300);
+});
+
+// Fault: a walker is moved twice, once with the visitor and once by themselves.
+test('a visitor who walks along sees a walker stay', () => {
+  for (const { at, y, source } of bendWalker(100, { displacement: [0.14, 0, 0] })) {
+    if (y > 232 && at > 656 && at < 752) assert.ok(Math.abs(source - at) < 0.01, `${source} at ${at}`);
+  }
+});
+
+// Faults: what hides a walker moves with them; at once, the picture is another one.
+test('only the walker moves, and not at once', () => {
+  for (const [elapsed, changes] of [[100, { hides: true }], [0, {}], [100, { velocity: [0, 0, 0] }]]) {
+    for (const { at, source } of bendWalker(elapsed, changes)) assert.ok(Math.abs(source - at) < 0.01);
+  }
+});
+
 // Fault: a slope counts as a row of silhouettes, so that a floor moves as what is before it.
 test('only silhouettes are spread', () => {
   const nearnessAt = (s, t) => 0.2 * s + 0.3 * t;
@@ -186,7 +235,7 @@ for (const { name, picture, turn, displacement, grid, places } of JSON.parse(
   test(`bends the golden mesh ${name}`, () => {
     const nearness = Float32Array.from(grid, (value) => value / 64);
     const mesh = new WarpMesh(picture);
-    mesh.bend(picture, new DepthGrid(picture, nearness), { turn, displacement });
+    mesh.bend(picture, new DepthGrid(picture, nearness), { turn, displacement, elapsed: 0 });
     assert.equal(mesh.places.length, places.length);
     mesh.places.forEach((place, i) => assert.ok(Math.abs(place - places[i]) < 1e-4, `place ${i}: ${place}, not ${places[i]}`));
   });

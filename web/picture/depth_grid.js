@@ -49,6 +49,13 @@ export class DepthGrid {
     for (const value of this.nearness) this.nearest = Math.max(this.nearest, value);
   }
 
+  /** The nearness of the cell at a place; without the values between two surfaces, which at() has. */
+  ofCellAt(x, y) {
+    const column = Math.min(this.columns - 1, Math.max(0, Math.floor(x * this.across)));
+    const row = Math.min(this.rows - 1, Math.max(0, Math.floor(y * this.down)));
+    return this.nearness[row * this.columns + column];
+  }
+
   /** The nearness at a place, as shares of the picture's width and height, between the centres of cells. */
   at(x, y) {
     const nearness = this.nearness;

@@ -67,12 +67,12 @@ export class LateLook {
   }
 
   /**
-   * The copy in this view, on a canvas that holds it until the end of this task. `view`: turn (radians) and
-   * displacement (metres), which needs the picture's `depths` (DepthGrid).
+   * The copy in this view, on a canvas that holds it until the end of this task. `view`: turn (radians), displacement
+   * (metres) and the time for which the moving parts went on (ms); the last two need the picture's `depths` (DepthGrid).
    */
   seen(picture, view) {
     const gl = this.#gl;
-    if (isMoved(view.displacement)) {
+    if (isMoved(view.displacement) || view.elapsed > 0) {
       gl.uniformMatrix3fv(this.#look, false, kIdentity);
       this.#buffers.drawMesh(picture, view);
     } else {

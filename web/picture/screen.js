@@ -7,14 +7,15 @@ const kOwnView = Object.freeze({ turn: Object.freeze({ yaw: 0, pitch: 0 }), ...k
 const isSame = (a, b) =>
   a.turn.yaw === b.turn.yaw &&
   a.turn.pitch === b.turn.pitch &&
+  a.elapsed === b.elapsed &&
   a.displacement.every((value, i) => value === b.displacement[i]);
 
 /**
  * Paints pictures: unchanged while the visitor is where their camera was, else turned and moved by late look. So late
  * look costs time only during a turn or a walk.
  *
- * A view is `turn` (radians) and `displacement` (metres) from the picture's camera, and of a walk `until` and
- * `isMoving` as Prediction.moved() returns them.
+ * A view is `turn` (radians) and `displacement` (metres) from the picture's camera, and `elapsed`, `until` and `isMoving`
+ * as Prediction.moved() returns them.
  */
 export class Screen {
   #canvas;

@@ -1,5 +1,6 @@
 import { kCell } from './depth_grid.js';
 import { lookMatrix, shiftOf, windowOf } from './look_geometry.js';
+import { MovingSurface, displacementFrom } from './moving_surface.js';
 
 /** Steps that find the surface at a corner: in the first row from the nearest surface, then from the corner above. */
 const kFirstSteps = 4;
@@ -66,15 +67,42 @@ export class WarpMesh {
 
   /**
    * Finds the places for an eye that has moved by `displacement` (metres, in the world) and turned by `turn` (radians)
-   * since the picture. As server/node/frontend/backdrops does with backdrops: a ray of the window meets the surface of
-   * nearness w at the place a + b w.
+   * since the picture, whose moving parts went on for `elapsed` milliseconds. As server/node/frontend/backdrops does with
+   * backdrops: a ray of the window meets the surface of nearness w at the place a + b w.
    */
-  bend(picture, depths, { turn, displacement }) {
-    const look = lookMatrix(picture, turn);
-    const shift = shiftOf(picture, displacement);
+  bend(picture, depths, view) {
+    const look = lookMatrix(picture, view.turn);
+    const shift = shiftOf(picture, view.displacement);
     this.#nearness.fill(depths.nearest);
     for (let row = 0; row < this.#ys.length; row += 1) {
       this.#bendRow(row, look, shift, depths, row === 0 ? kFirstSteps : kSteps);
+    }
+    if (view.elapsed === 0) return;
+    // The nearest comes last, because it hides the others.
+    for (const part of [...picture.space.moving].reverse()) {
+      const surface = new MovingSurface(picture, depths, part);
+      this.#follow(surface, look, shiftOf(picture, displacementFrom(part, view)));
+    }
+  }
+
+  /**
+   * Finds the places again for corners that show a moving surface now, or would show it where it was: there, what is
+   * behind it moves along. `shift`: of the eye, as seen from the surface.
+   */
+  #follow(surface, look, [shiftX, shiftY, forwards]) {
+    const places = this.places;
+    const across = this.#xs.length;
+    for (let i = 0; i < places.length / 2; i += 1) {
+      const x = this.#xs[i % across];
+      const y = this.#ys[Math.floor(i / across)];
+      const perForward = 1 / Math.max(kLeastForward, look[2] * x + look[5] * y + look[8]);
+      const farX = (look[0] * x + look[3] * y + look[6]) * perForward;
+      const farY = (look[1] * x + look[4] * y + look[7]) * perForward;
+      const placeX = farX + (shiftX - farX * forwards) * surface.nearness;
+      const placeY = farY + (shiftY - farY * forwards) * surface.nearness;
+      if (!surface.isAt(placeX, placeY) && !surface.isAt(places[2 * i], places[2 * i + 1])) continue;
+      places[2 * i] = placeX;
+      places[2 * i + 1] = placeY;
     }
   }
 

@@ -5,8 +5,9 @@ import { decoders } from '../picture/decoders.js';
 import { Decoding } from '../picture/decoding.js';
 import { Display, paintScheduler } from '../picture/display.js';
 import { LateLook } from '../picture/late_look.js';
-import { isMoved, isTurned, windowOf, windowPlace } from '../picture/look_geometry.js';
+import { isMoved, isTurned, windowOf } from '../picture/look_geometry.js';
 import { MemoryImages } from '../picture/memory_images.js';
+import { namePlace } from '../picture/name_place.js';
 import { PaintBudget } from '../picture/paint_budget.js';
 import { Codec, LimitedBy, kSubProtocols } from './protocol.js';
 import { RemoteStorage } from './remote_storage.js';
@@ -180,11 +181,7 @@ export class Receiver {
     const { labels = [] } = picture;
     if (labels.length === 0 && this.#labelled === 0) return;
     this.#labelled = labels.length;
-    const { depths } = picture;
-    const placed = labels.map((label) => ({
-      ...label,
-      place: windowPlace(picture, view, label, depths?.at(label.x, label.y)),
-    }));
+    const placed = labels.map((label) => ({ ...label, place: namePlace(picture, view, label) }));
     this.#emit({ kind: 'labels', labels: placed.filter(({ place }) => place), ...windowOf(picture) });
   }
 

@@ -7,6 +7,8 @@ const kPictureHeaderBytes = 40;
 const kLabelBytes = 10;
 const kMaxLabels = 24;
 const kSpaceBytes = 40;
+const kMovingPartBytes = 20;
+const kMaxMovingParts = 16;
 const kWaitingBytes = 8;
 const kStatusBytes = 20;
 const kRefiningBytes = 8;
@@ -104,19 +106,34 @@ function decodeLabels(view, count) {
  * velocity along x and z (m/s) at `sinceInput` milliseconds after `lastInput`; and the coded depths, for
  * nearness_grid.js.
  */
+/** Where an object moves by itself: rectangle in pixels, view depths in metres, velocity in metres per second. */
+function decodeMovingPart(view, at) {
+  const [left, top, right, bottom, nearest, farthest] = Array.from({ length: 6 }, (_, i) => view.getUint16(at + 2 * i, true));
+  const velocity = [view.getFloat32(at + 12, true), 0, view.getFloat32(at + 16, true)];
+  if (left >= right || top >= bottom || nearest === 0 || nearest > farthest || !velocity.every(Number.isFinite)) {
+    throw new ProtocolError('a moving part of the picture is invalid');
+  }
+  return { left, top, right, bottom, nearest: nearest / 100, farthest: farthest / 100, velocity };
+}
+
 function decodeSpace(view, at) {
   if (view.byteLength < at + kSpaceBytes) throw new ProtocolError("the picture's space is cut short");
   const numbers = Array.from({ length: 8 }, (_, i) => view.getFloat32(at + 4 * i, true));
   if (!numbers.every(Number.isFinite)) throw new ProtocolError("the picture's space is not of numbers");
   const nearnessBytes = view.getUint16(at + 36, true);
-  if (view.getUint16(at + 38, true) !== 0) throw new ProtocolError("the picture's space has unknown fields");
-  if (view.byteLength < at + kSpaceBytes + nearnessBytes) throw new ProtocolError("the picture's space is cut short");
+  const moving = view.getUint8(at + 38);
+  if (moving > kMaxMovingParts) throw new ProtocolError('the picture has too many moving parts');
+  if (view.getUint8(at + 39) !== 0) throw new ProtocolError("the picture's space has unknown fields");
+  const partsAt = at + kSpaceBytes;
+  const gridAt = partsAt + moving * kMovingPartBytes;
+  if (view.byteLength < gridAt + nearnessBytes) throw new ProtocolError("the picture's space is cut short");
   return {
     eye: numbers.slice(0, 3),
     visitor: numbers.slice(3, 6),
     velocity: numbers.slice(6),
     sinceInput: view.getUint32(at + 32, true) / 1000,
-    nearness: new Uint8Array(view.buffer, at + kSpaceBytes, nearnessBytes),
+    moving: Array.from({ length: moving }, (_, i) => decodeMovingPart(view, partsAt + i * kMovingPartBytes)),
+    nearness: new Uint8Array(view.buffer, gridAt, nearnessBytes),
   };
 }
 
@@ -126,7 +143,7 @@ function decodePicture(view) {
   if (labels > kMaxLabels) throw new ProtocolError('the picture has too many labels');
   const labelsEnd = kPictureHeaderBytes + labels * kLabelBytes;
   const space = (view.getUint8(2) & 2) === 0 ? null : decodeSpace(view, labelsEnd);
-  const headerBytes = space ? labelsEnd + kSpaceBytes + space.nearness.length : labelsEnd;
+  const headerBytes = space ? space.nearness.byteOffset + space.nearness.length : labelsEnd;
   if (view.byteLength <= headerBytes) throw new ProtocolError('the picture has no bytes');
   const picture = {
     message: 'Picture',

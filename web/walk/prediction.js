@@ -16,12 +16,14 @@ const kCorrection = 100;
 const kTeleport = 1;
 /** Smaller displacements (metres) move nothing by a pixel. */
 const kTiny = 1e-3;
+/** Others go on as in the picture for so long (ms): a page with late walk gets at least 10 pictures a second. */
+const kOthersGoOn = 100;
 /** Inputs of which no picture is known yet. */
 const kMaxInputs = 512;
 
 const kNowhere = Object.freeze([0, 0, 0]);
 /** The view stays with the picture's own eye. */
-export const kNoMovement = Object.freeze({ displacement: kNowhere, until: -Infinity, isMoving: false });
+export const kNoMovement = Object.freeze({ displacement: kNowhere, elapsed: 0, until: -Infinity, isMoving: false });
 
 function near(ground, [x, , z]) {
   const isNear = (obstacle) => Math.hypot(obstacle.x - x, obstacle.z - z) < obstacle.radius + kReach;
@@ -36,6 +38,8 @@ export class Prediction {
   #ground = null;
   #inputs = [];
   #space = null;
+  /** When the picture came to the screen. */
+  #begin = 0;
   #origin = null;
   #near = null;
   #age = null;
@@ -66,21 +70,25 @@ export class Prediction {
    * The movement from the eye of the picture on the screen, for a picture that shows the inputs up to `lastInput`;
    * `space` as in the message Picture.
    *
-   * @returns {{displacement: number[], until: number, isMoving: boolean}} metres along x, y and z, zeros at rest;
-   *     includes all inputs sent before `until`; `isMoving`: a later call gives another one
+   * @returns {{displacement: number[], elapsed: number, until: number, isMoving: boolean}} metres along x, y and z, zeros
+   *     at rest; includes all inputs sent before `until`; `elapsed`: time for which the picture's moving parts have gone
+   *     on (ms); `isMoving`: a later call gives another one
    */
   moved({ space, lastInput }, now) {
     if (!space || !this.#ground) return kNoMovement;
     if (space !== this.#space) this.#take(space, lastInput, now);
-    if (!this.#origin) return kNoMovement;
+    const elapsed = space.moving.length > 0 ? Math.min(kOthersGoOn, now - this.#begin) : 0;
+    const goOn = space.moving.length > 0 && elapsed < kOthersGoOn;
+    if (!this.#origin) return { ...kNoMovement, elapsed, isMoving: goOn };
     const { position, until, isWalking } = this.#walk(now);
     const offset = this.#offsetAt(now);
     const displacement = position.map((value, i) => value + offset[i] - space.eye[i]);
     const isTiny = Math.hypot(...displacement) < kTiny;
     return {
       displacement: isTiny ? kNowhere : displacement,
+      elapsed,
       until,
-      isMoving: isWalking || Math.hypot(...offset) >= kTiny,
+      isMoving: goOn || isWalking || Math.hypot(...offset) >= kTiny,
     };
   }
 
@@ -90,6 +98,7 @@ export class Prediction {
     const offset = this.#offsetAt(now);
     const first = this.#inputs.findIndex(({ number }) => number === lastInput);
     this.#space = space;
+    this.#begin = now;
     this.#origin = null;
     this.#offset = kNowhere;
     if (first < 0) return;

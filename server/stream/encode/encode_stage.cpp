@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -61,6 +62,17 @@ std::vector<Label> labelsOf(const node::FinishedFrame& frame) {
   return labels;
 }
 
+MovingPart movingPartOf(const node::Mover& mover) {
+  const auto centimetres = [](float metres) { return saturate<std::uint16_t>(std::lround(metres * 100.0F)); };
+  return {.left = saturate<std::uint16_t>(mover.rect.left),
+          .top = saturate<std::uint16_t>(mover.rect.top),
+          .right = saturate<std::uint16_t>(mover.rect.right),
+          .bottom = saturate<std::uint16_t>(mover.rect.bottom),
+          .nearestCentimetres = centimetres(mover.nearest),
+          .farthestCentimetres = centimetres(mover.farthest),
+          .velocity = {mover.velocity.x, mover.velocity.z}};
+}
+
 Space spaceOf(const node::FinishedFrame& frame) {
   const node::View& view = *frame.view;
   Space space;
@@ -68,6 +80,8 @@ Space spaceOf(const node::FinishedFrame& frame) {
   space.visitor = view.viewerEye;
   space.velocity = {view.viewerVelocity.x, view.viewerVelocity.z};
   space.sinceInputMicroseconds = saturate<std::uint32_t>(view.inputAge * 1e6);
+  static_assert(node::kMaxMoversPerFrame <= kMaxMovingParts);
+  std::ranges::transform(frame.movers, std::back_inserter(space.moving), movingPartOf);
   encodeNearness(NearnessGrid(*frame.nearness), space.nearness);
   return space;
 }
@@ -112,7 +126,7 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
     control_->unchanged(frame.view->lastInput);
     return;
   }
-  if (encoder->usesMotion()) choice.order.motion = motion_.next(camera, frame.nearness.get());
+  if (encoder->usesMotion()) choice.order.motion = motion_.next(frame);
   const double began = pipeline::wallSeconds();
   control_->took(FrameTimes::Place::kDrawing, began - frame.view->time);
   const std::shared_ptr<EncodedFrame> made = begin(frame);

@@ -94,7 +94,9 @@ void encode(const PictureHeader& header, std::span<std::uint8_t> out) {
   if (header.space) {
     const auto nearnessBytes = static_cast<std::uint16_t>(header.space->nearness.size());
     assert(nearnessBytes == header.space->nearness.size());
-    fields(*header.space, nearnessBytes, into(writer));
+    const auto moving = static_cast<std::uint8_t>(header.space->moving.size());
+    fields(*header.space, nearnessBytes, moving, into(writer));
+    for (const MovingPart& part : header.space->moving) fields(part, into(writer));
     for (const std::uint8_t byte : header.space->nearness) writer.put(byte);
   }
   encodeInto(out, writer);

@@ -45,10 +45,14 @@ void fields(Of<PictureHeader> auto& header, auto& flags, auto& labels, const aut
 void fields(Of<Label> auto& label, const auto& each) {
   each(label.visitor, label.x, label.y, label.opacity, Reserved<1>());
 }
-/// Without the bytes of the grid, whose number is on the wire.
-void fields(Of<Space> auto& space, auto& nearnessBytes, const auto& each) {
+void fields(Of<MovingPart> auto& part, const auto& each) {
+  each(part.left, part.top, part.right, part.bottom, part.nearestCentimetres, part.farthestCentimetres, part.velocity.x,
+       part.velocity.y);
+}
+/// Without the moving parts and the bytes of the grid, whose numbers are on the wire.
+void fields(Of<Space> auto& space, auto& nearnessBytes, auto& moving, const auto& each) {
   each(space.eye.x, space.eye.y, space.eye.z, space.visitor.x, space.visitor.y, space.visitor.z, space.velocity.x,
-       space.velocity.y, space.sinceInputMicroseconds, nearnessBytes, Reserved<2>());
+       space.velocity.y, space.sinceInputMicroseconds, nearnessBytes, moving, Reserved<1>());
 }
 void fields(Of<world::Hill> auto& hill, const auto& each) {
   each(hill.centre.x, hill.centre.y, hill.radius, hill.height);

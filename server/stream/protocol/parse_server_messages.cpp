@@ -82,16 +82,25 @@ ServerMessage parseFrame(WireReader reader) {
 std::optional<Space> takeSpace(WireReader& reader) {
   Space space;
   std::uint16_t nearnessBytes = 0;
-  fields(space, nearnessBytes, into(reader));
+  std::uint8_t moving = 0;
+  fields(space, nearnessBytes, moving, into(reader));
+  for (int i = 0; i < moving && !reader.exhausted(); ++i) fields(space.moving.emplace_back(), into(reader));
   const std::span<const std::uint8_t> nearness = reader.takeBytes(nearnessBytes);
   if (reader.exhausted()) return std::nullopt;
   space.nearness.assign(nearness.begin(), nearness.end());
   return space;
 }
 
+bool isValid(const MovingPart& part) {
+  return part.left < part.right && part.top < part.bottom && part.nearestCentimetres > 0 &&
+         part.nearestCentimetres <= part.farthestCentimetres && areFinite({part.velocity.x, part.velocity.y});
+}
+
 bool isValid(const Space& space) {
-  return areFinite({space.eye.x, space.eye.y, space.eye.z, space.visitor.x, space.visitor.y, space.visitor.z,
-                    space.velocity.x, space.velocity.y});
+  const bool areParts = space.moving.size() <= kMaxMovingParts &&
+                        std::ranges::all_of(space.moving, [](const MovingPart& part) { return isValid(part); });
+  return areParts && areFinite({space.eye.x, space.eye.y, space.eye.z, space.visitor.x, space.visitor.y,
+                                space.visitor.z, space.velocity.x, space.velocity.y});
 }
 
 ServerMessage parsePicture(WireReader reader) {

@@ -38,6 +38,7 @@ TEST(EncodeStage, SendsSpacesToPagesThatMovePictures) {
       Limits limits;
       limits.nearness = wanted;
       stream.control().limit(limits);
+      stream.movers = {{{8, 0, 40, 180}, 1.456F, 2.0F, {0.5F, 0.25F, -1.0F}}};
       const auto sent = stream.push(grain(1));
       ASSERT_NE(sent, nullptr);
       const ServerMessage message = parseServerMessage(sent->message());
@@ -49,6 +50,7 @@ TEST(EncodeStage, SendsSpacesToPagesThatMovePictures) {
         EXPECT_EQ(space->visitor, world::Vec3(1.0F, 2.0F, 3.0F));
         EXPECT_EQ(space->velocity, world::Vec2(4.0F, 5.0F));
         EXPECT_EQ(space->sinceInputMicroseconds, 250'000U);
+        EXPECT_EQ(space->moving, (std::vector{MovingPart{8, 0, 40, 180, 146, 200, {0.5F, -1.0F}}}));
         EXPECT_EQ(decodeNearness(space->nearness, 320, 180), NearnessGrid(320, 180));
       }
       H264Decoder decoder;

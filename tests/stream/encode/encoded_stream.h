@@ -50,6 +50,7 @@ class Stream {
   static constexpr int kMaxRushed = 4;
 
   std::vector<node::Label> labels;  ///< of the frames to come
+  std::vector<node::Mover> movers;
 
   StreamControl& control() { return *control_; }
   [[nodiscard]] const std::vector<std::shared_ptr<const EncodedFrame>>& sent() const { return sent_; }
@@ -75,7 +76,7 @@ class Stream {
     view.time = pipeline::wallSeconds();
     const auto nearness = std::make_shared<node::CellNearness>(320, 180, images_);
     std::ranges::fill(nearness->cells(), 0.0F);
-    return {std::make_shared<const node::View>(view), tests::yuvOf(image), labels, nearness};
+    return {std::make_shared<const node::View>(view), tests::yuvOf(image), labels, nearness, movers};
   }
 
   raster::ImagePool images_;

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace grove::stream {
@@ -38,6 +40,14 @@ std::shared_ptr<const node::CellNearness> look(const world::Camera& camera, cons
   return cells;
 }
 
+node::FinishedFrame frameOf(const world::Camera& camera, std::shared_ptr<const node::CellNearness> cells,
+                            double time = 0.0, std::vector<node::Mover> movers = {}) {
+  auto view = std::make_shared<node::View>();
+  view->camera = camera;
+  view->time = time;
+  return {.view = std::move(view), .picture = nullptr, .nearness = std::move(cells), .movers = std::move(movers)};
+}
+
 /// A wall at z = -5, parallel to the picture of a camera that looks along -z.
 float wallAt(const world::Camera& camera, world::Vec3 ray) { return ray.z / (-5.0F - camera.pose.position.z); }
 /// The ground at y = 0, and the sky.
@@ -48,8 +58,8 @@ float skyAt(const world::Camera&, world::Vec3) { return 0.0F; }
 void expectMotion(const world::Camera& shown, const world::Camera& frame, const NearnessOf& nearness) {
   const auto cells = look(frame, nearness);
   SceneMotion motion;
-  EXPECT_TRUE(motion.next(shown, cells.get()).empty()) << "nothing is known of the first";
-  const auto vectors = motion.next(frame, cells.get());
+  EXPECT_TRUE(motion.next(frameOf(shown, cells)).empty()) << "nothing is known of the first";
+  const auto vectors = motion.next(frameOf(frame, cells));
   ASSERT_EQ(vectors.size(), cells->cells().size());
   for (int row = 0; row < cells->down(); ++row) {
     for (int column = 0; column < cells->across(); ++column) {
@@ -74,9 +84,9 @@ TEST(SceneMotion, StepToTheSideMovesAWallAsAWhole) {
   frame.pose.position.x += 0.1F;
   const auto cells = look(frame, wallAt);
   SceneMotion motion;
-  (void)motion.next(shown, cells.get());
+  (void)motion.next(frameOf(shown, cells));
   const auto quarters = static_cast<std::int16_t>(std::lround(4.0F * frame.focal() * 0.1F / 5.0F));
-  for (const MotionVector& each : motion.next(frame, cells.get())) ASSERT_EQ(each, (MotionVector{quarters, 0}));
+  for (const MotionVector& each : motion.next(frameOf(frame, cells))) ASSERT_EQ(each, (MotionVector{quarters, 0}));
   expectMotion(shown, frame, wallAt);
 }
 
@@ -120,13 +130,51 @@ TEST(SceneMotion, LimitsVectors) {
     SceneMotion motion;
     world::Camera other = shown;
     other.pose.yaw = yaw;
-    (void)motion.next(other, cells.get());
-    const auto vectors = motion.next(frame, cells.get());
+    (void)motion.next(frameOf(other, cells));
+    const auto vectors = motion.next(frameOf(frame, cells));
     return std::vector<MotionVector>(vectors.begin(), vectors.end());
   };
   const auto far = motionTo(0.0F);
   EXPECT_EQ(std::ranges::min(far, {}, &MotionVector::x).x, -kMaxMotion);
   for (const MotionVector& each : motionTo(1.2F + 3.0F)) ASSERT_EQ(each, MotionVector{});
+}
+
+/// Somebody two metres before a camera at the origin, in the columns from `left` to `right`, before a wall.
+std::shared_ptr<const node::CellNearness> walkerBeforeWall(int left, int right) {
+  const world::Camera camera = cameraOf();
+  raster::ImagePool pool;
+  auto cells = std::make_shared<node::CellNearness>(camera.width, camera.height, pool);
+  for (int row = 0; row < cells->down(); ++row) {
+    const std::span<float> line = cells->row(row);
+    std::ranges::fill(line, 0.2F);
+    for (int column = left; column < right; ++column) line[static_cast<std::size_t>(column)] = 0.5F;
+  }
+  return cells;
+}
+
+// Faults: others' figures count as still; the wall beside them, or a tree before them, moves along.
+TEST(SceneMotion, FollowsWhoMoves) {
+  const world::Camera camera = cameraOf();
+  constexpr int kLeft = 30;
+  constexpr int kRight = 40;
+  const node::Mover walker{{kLeft * kCell - 20, 0, kRight * kCell + 20, camera.height}, 1.8F, 2.2F, {1.5F, 0.0F, 0.0F}};
+  const auto cells = walkerBeforeWall(kLeft, kRight);
+  SceneMotion motion;
+  (void)motion.next(frameOf(camera, cells, 7.0));
+  const auto vectors = motion.next(frameOf(camera, cells, 7.1, {walker}));
+  const auto way = static_cast<std::int16_t>(std::lround(-4.0F * camera.focal() * 0.15F / 2.0F));
+  for (int column = 0; column < cells->across(); ++column) {
+    const bool isWalker = column >= kLeft && column < kRight;
+    const MotionVector expected{isWalker ? way : std::int16_t{0}, 0};
+    ASSERT_EQ(vectors[static_cast<std::size_t>(column)], expected) << column;
+  }
+  const node::Mover behind{walker.rect, 3.0F, 3.5F, walker.velocity};
+  for (const MotionVector& each : motion.next(frameOf(camera, cells, 7.2, {behind}))) ASSERT_EQ(each, MotionVector{});
+  // A part at the frame's corner, with cells beyond its edge.
+  const node::Mover corner{{camera.width - 3, camera.height - 3, camera.width, camera.height}, 4.0F, 6.0F, {0.0F, 0.0F, 9.0F}};
+  const auto after = motion.next(frameOf(camera, cells, 7.3, {corner}));
+  EXPECT_NE(after.back(), MotionVector{});
+  EXPECT_EQ(std::ranges::count(after, MotionVector{}), std::ssize(after) - 1);
 }
 
 // Fault: vectors between pictures whose pixels do not correspond, or from no nearness.
@@ -136,12 +184,12 @@ TEST(SceneMotion, IsUnknownAfterAChangeOfSize) {
   const auto cells = look(large, groundAt);
   const auto smallCells = look(small, groundAt);
   SceneMotion motion;
-  (void)motion.next(large, cells.get());
-  EXPECT_FALSE(motion.next(large, cells.get()).empty());
-  EXPECT_TRUE(motion.next(small, smallCells.get()).empty());
-  EXPECT_EQ(motion.next(small, smallCells.get()).size(), smallCells->cells().size());
-  EXPECT_TRUE(motion.next(small, nullptr).empty());
-  EXPECT_FALSE(motion.next(small, smallCells.get()).empty()) << "its camera is known all the same";
+  (void)motion.next(frameOf(large, cells));
+  EXPECT_FALSE(motion.next(frameOf(large, cells)).empty());
+  EXPECT_TRUE(motion.next(frameOf(small, smallCells)).empty());
+  EXPECT_EQ(motion.next(frameOf(small, smallCells)).size(), smallCells->cells().size());
+  EXPECT_TRUE(motion.next(frameOf(small, nullptr)).empty());
+  EXPECT_FALSE(motion.next(frameOf(small, smallCells)).empty()) << "its camera is known all the same";
 }
 
 }  // namespace

@@ -154,7 +154,17 @@ Json fieldsOf(const PictureMessage& picture) {
                        {"visitor", {space->visitor.x, space->visitor.y, space->visitor.z}},
                        {"velocity", {space->velocity.x, space->velocity.y}},
                        {"sinceInput", space->sinceInputMicroseconds / 1000.0},
+                       {"moving", Json::array()},
                        {"nearness", hex(space->nearness)}};
+    for (const MovingPart& part : space->moving) {
+      fields["space"]["moving"].push_back({{"left", part.left},
+                                           {"top", part.top},
+                                           {"right", part.right},
+                                           {"bottom", part.bottom},
+                                           {"nearest", part.nearestCentimetres / 100.0},
+                                           {"farthest", part.farthestCentimetres / 100.0},
+                                           {"velocity", {part.velocity.x, 0, part.velocity.y}}});
+    }
   }
   fields["labels"] = Json::array();
   for (const Label& label : header.labels) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace grove::stream {
 namespace {
@@ -195,6 +196,27 @@ TEST(Protocol, RefusesImpossibleSpaces) {
   Bytes longer = picture;
   longer[kPictureHeaderBytes + kSpaceBytes - 4] = 4;
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(longer))) << "no byte is left for the picture";
+}
+
+// Faults: a part without pixels, or nowhere; a division by zero; more parts than a page expects.
+TEST(Protocol, RefusesImpossibleMovingParts) {
+  const auto refuses = [](std::vector<MovingPart> moving) {
+    PictureHeader header;
+    header.space = Space{.moving = std::move(moving), .nearness = {1}};
+    Bytes picture(pictureHeaderBytes(header));
+    encode(header, picture);
+    picture.push_back(7);
+    return std::holds_alternative<Refusal>(parseServerMessage(picture));
+  };
+  const MovingPart good{8, 16, 24, 300, 150, 250, {1.5F, -0.5F}};
+  EXPECT_FALSE(refuses({good}));
+  EXPECT_FALSE(refuses(std::vector<MovingPart>(kMaxMovingParts, good)));
+  EXPECT_TRUE(refuses(std::vector<MovingPart>(kMaxMovingParts + 1, good)));
+  EXPECT_TRUE(refuses({{8, 16, 8, 300, 150, 250, {}}}));
+  EXPECT_TRUE(refuses({{8, 16, 24, 16, 150, 250, {}}}));
+  EXPECT_TRUE(refuses({{8, 16, 24, 300, 0, 250, {}}}));
+  EXPECT_TRUE(refuses({{8, 16, 24, 300, 251, 250, {}}}));
+  EXPECT_TRUE(refuses({{8, 16, 24, 300, 150, 250, {std::numeric_limits<float>::quiet_NaN(), 0.0F}}}));
 }
 
 TEST(Protocol, RefusesImpossibleGround) {

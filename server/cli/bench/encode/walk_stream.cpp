@@ -41,7 +41,7 @@ std::optional<SentPicture> WalkEncoder::send(const node::FinishedFrame& frame) {
   quantiser_ = choice.order.quantiser;
   bytes_.clear();
   const std::int64_t begin = pipeline::threadCpuNanoseconds();
-  if (encoder_->usesMotion()) choice.order.motion = motion_.next(camera, frame.nearness.get());
+  if (encoder_->usesMotion()) choice.order.motion = motion_.next(frame);
   const bool independent = encoder_->encode(*frame.picture, choice.order, bytes_);
   times_.push_back(asMilliseconds(pipeline::threadCpuNanoseconds() - begin));
   quantisers_ += quantiser_;

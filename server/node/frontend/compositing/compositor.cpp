@@ -38,6 +38,12 @@ std::vector<Label> nearestOf(std::vector<Label> labels) {
   return labels;
 }
 
+std::vector<Mover> nearestOf(std::vector<Mover> movers) {
+  std::ranges::sort(movers, {}, &Mover::nearest);
+  movers.resize(std::min(movers.size(), kMaxMoversPerFrame));
+  return movers;
+}
+
 }  // namespace
 
 Compositor::Compositor(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves,
@@ -91,16 +97,18 @@ FinishedFrame Compositor::composite(const CompleteFrame& frame) {
   compose(scene, traceTag(frame), area, steps);
   pipeline::TimedParts times = timesOf(traceTag(frame));
   std::vector<Label> labels;
+  std::vector<Mover> movers;
   for (Placed& each : scene) {
     if (!each.layer) continue;
     times.turnTo(halves_->name(each.object.object.type));
     each.layer->draw(*layers);
     if (const auto label = each.layer->label(*layers)) labels.push_back(*label);
+    if (const auto mover = each.layer->mover()) movers.push_back(*mover);
   }
   times.turnTo(kBackdrop);
   for (const world::Rect& strip : strips) raster::toYuv(*layers, strip, *picture);
   halves_->reportMemory();
-  return {list.view, picture, nearestOf(std::move(labels)), nearness};
+  return {list.view, picture, nearestOf(std::move(labels)), nearness, nearestOf(std::move(movers))};
 }
 
 void Compositor::drawBackdrop(const CompleteFrame& frame) {

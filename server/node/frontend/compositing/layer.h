@@ -35,6 +35,9 @@ class Layer {
   /// The object's name, unless it has none or is hidden. Called after draw() of the same frame.
   [[nodiscard]] virtual std::optional<Label> label(const raster::Image& /*frame*/) const { return std::nullopt; }
 
+  /// Where the object is and how it moves, unless it is at rest or moves too little to be seen.
+  [[nodiscard]] virtual std::optional<Mover> mover() const { return std::nullopt; }
+
   /// Returns a rectangle that contains all pixels that the layer lays, draws or reads. `rect` is the object's. May
   /// extend beyond the frame.
   [[nodiscard]] virtual world::Rect reach(const world::Rect& rect) const { return rect; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "objects/figure/common/stature.h"
+#include "objects/figure/frontend/figure_motion.h"
 
 namespace grove::objects::figure {
 namespace {
@@ -20,11 +21,13 @@ constexpr int kLooks = 6;
 
 class LabelLayer final : public node::Layer {
  public:
-  LabelLayer(const world::Object& object, const world::Camera& camera) : object_(object), camera_(camera) {}
+  LabelLayer(const world::Object& object, const world::Camera& camera, const std::optional<node::Mover>& mover)
+      : object_(object), camera_(camera), mover_(mover) {}
 
   [[nodiscard]] std::optional<node::Label> label(const raster::Image& frame) const override {
     return labelOf(object_, camera_, frame);
   }
+  [[nodiscard]] std::optional<node::Mover> mover() const override { return mover_; }
   [[nodiscard]] world::Rect reach(const world::Rect& /*rect*/) const override {
     return headOf(object_, camera_).value_or(world::Rect{});
   }
@@ -32,11 +35,8 @@ class LabelLayer final : public node::Layer {
  private:
   const world::Object& object_;
   const world::Camera& camera_;
+  const std::optional<node::Mover> mover_;
 };
-
-float scaleOf(const world::Object& object) {
-  return object.transform.scale * kStatures[statureOf(object.id - world::kFirstPlayerObject)].height;
-}
 
 /// Projects the point of a figure's axis `height` metres above its feet, as Camera::project() does.
 world::Vec3 projected(const world::Object& object, const world::Camera& camera, float height) {
@@ -62,7 +62,9 @@ float seenShare(const world::Rect& rect, float depth, const raster::Image& frame
 std::unique_ptr<node::Layer> FigureLabels::layer(const node::VisibleObject& object, const node::Payload& /*payload*/,
                                                  const node::View& view) {
   if (object.object.id == world::kFirstPlayerObject + view.viewer) return nullptr;
-  return std::make_unique<LabelLayer>(object.object, view.camera);
+  const std::optional<world::Player> player = view.shownBy(object.object.id);
+  return std::make_unique<LabelLayer>(object.object, view.camera,
+                                      player ? moverOf(object.object, *player, view.camera) : std::nullopt);
 }
 
 std::optional<world::Rect> headOf(const world::Object& object, const world::Camera& camera) {

@@ -6,7 +6,8 @@
 
 namespace grove::objects::figure {
 
-/// Places visitors' names above the visible parts of their heads. The bodies themselves are pictures.
+/// Places visitors' names above the visible parts of their heads, and reports how their figures move. The bodies
+/// themselves are pictures.
 class FigureLabels final : public node::FrontendHalf {
  public:
   [[nodiscard]] std::unique_ptr<node::Layer> layer(const node::VisibleObject& object, const node::Payload& payload,

@@ -36,6 +36,11 @@ class LookingLayer final : public Layer {
     return Label{.object = object_, .depth = static_cast<float>(100 - step)};
   }
 
+  [[nodiscard]] std::optional<Mover> mover() const override {
+    if (object_ % 3 == 0) return std::nullopt;
+    return Mover{{0, 0, 1, 1}, 1.0F / static_cast<float>(object_), 2.0F, {1.0F, 0.0F, 0.0F}};
+  }
+
  private:
   const world::ObjectId object_;
   std::atomic<float>& depth_;
@@ -96,6 +101,10 @@ class Frames final : public pipeline::Inlet<FinishedFrame> {
   [[nodiscard]] std::vector<Label> labels() const {
     const std::lock_guard lock(mutex_);
     return frames_.back().labels;
+  }
+  [[nodiscard]] std::vector<Mover> movers() const {
+    const std::lock_guard lock(mutex_);
+    return frames_.back().movers;
   }
 
  private:
@@ -168,6 +177,16 @@ TEST_F(CompositorTest, CollectsTheNamesOfTheNearest) {
   for (const Label& label : labels) EXPECT_NE(label.object % 3, 0U);
   EXPECT_EQ(labels.front().object, 58U);
   EXPECT_EQ(std::ranges::min(labels, {}, &Label::object).object, 25U) << "the others are farther, or hidden";
+}
+
+// Faults: more movers than a message has room for; those of the farthest.
+TEST_F(CompositorTest, CollectsTheNearestMovers) {
+  const auto list = listOf(1, 60);
+  show({list, std::vector<Payload>(list->objects.size(), picture(5))});
+  const std::vector<Mover> movers = shown->movers();
+  ASSERT_EQ(movers.size(), kMaxMoversPerFrame);
+  EXPECT_TRUE(std::ranges::is_sorted(movers, {}, &Mover::nearest));
+  EXPECT_FLOAT_EQ(movers.front().nearest, 1.0F / 59.0F);
 }
 
 /// With a backdrop that reaches beyond its frame.
