@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <thread>
 #include <utility>
@@ -56,6 +57,37 @@ TEST_F(LightFieldHalves, LoneVisitorIsNeverThrottled) {
   EXPECT_EQ(wood.counted("coarse views"), 0);
   EXPECT_LE(wood.counted("views shown stale"), wood.counted("view cache hits") / 10);
   EXPECT_GT(wood.counted("view cache misses"), 20);
+}
+
+// Fault: who joins others has everything drawn anew, coarsely, and delays everybody's frames.
+TEST_F(LightFieldHalves, NewcomersBeginWithOthersPictures) {
+  constexpr std::size_t kNewcomer = 8;  // looks almost where the first one looks, from some steps ahead
+  Wood wood(*field_, kNewcomer + 1);
+  node::FrameNumber frame = 0;
+  for (; frame < 60; ++frame) (void)wood.look(0, frame + 1, frame / 30.0, false);
+  const std::int64_t made = wood.counted("view cache misses");
+  wood.steer(kNewcomer, frame, frame / 30.0, true);
+  frame += 60;
+  const auto shown = wood.look(kNewcomer, frame + 1, frame / 30.0, false);
+  EXPECT_GT(shown.size(), 5U);
+  ASSERT_TRUE(showsAll(shown));
+  // Those at the frame's edges, which nobody has seen yet.
+  EXPECT_LE(3 * wood.counted("coarse views"), std::ssize(shown));
+  EXPECT_LE(wood.counted("view cache misses"), made + PictureBudget::kMaxNewPictures);
+}
+
+// Faults: a Governor that makes pictures smaller, to save work, has all shared pictures made anew at once; pictures of
+// far more texels than pixels, which flicker, for ever.
+TEST_F(LightFieldHalves, SmallerFramesBeginWithTheirLastPictures) {
+  Wood wood(*field_, 1);
+  node::FrameNumber frame = 0;
+  for (; frame < 60; ++frame) (void)wood.look(0, frame + 1, frame / 30.0, false);
+  const std::int64_t made = wood.counted("view cache misses");
+  (void)wood.look(0, frame + 1, frame / 30.0, false, 153);
+  EXPECT_LE(wood.counted("view cache misses"), made + PictureBudget::kMaxNewPictures);
+  EXPECT_EQ(wood.counted("coarse views"), 0);
+  for (; frame < 90; ++frame) (void)wood.look(0, frame + 1, frame / 30.0, false, 90);
+  EXPECT_GT(wood.counted("view cache misses"), made + made / 2);
 }
 
 bool isPicture(const Shown& shown) {

@@ -36,19 +36,24 @@ class Wood {
  public:
   Wood(const LightField& field, int visitors) : world_(sceneOf(field)), players_(world_.scene.layout) {
     for (int i = 0; i < visitors; ++i) {
-      visitors_.push_back({players_.players().join("visitor", 0.0), std::make_unique<LightFieldFrontend>(tools_)});
+      visitors_.push_back({players_.players().join("visitor", 0.0), std::make_unique<LightFieldFrontend>(tools_, recent_)});
     }
   }
 
-  /// What a visitor sees in the next frame.
-  std::vector<Shown> look(std::size_t visitor, node::FrameNumber frame, double now, bool walks = true) {
-    world::Players& players = players_.players();
-    const world::PlayerId id = visitors_[visitor].id;
+  /// Sets a visitor's controls.
+  void steer(std::size_t visitor, node::FrameNumber frame, double now, bool walks) {
     world::Input input;
     input.number = frame;
     input.keys = walks ? world::kForward : 0;
     input.yaw = 0.8F * static_cast<float>(visitor) + (walks ? std::sin(0.5F * static_cast<float>(now)) : 0.0F);
-    players.apply(id, input, now);
+    players_.players().apply(visitors_[visitor].id, input, now);
+  }
+
+  /// What a visitor sees in the next frame, of 16:9 and this many lines.
+  std::vector<Shown> look(std::size_t visitor, node::FrameNumber frame, double now, bool walks = true, int lines = 180) {
+    world::Players& players = players_.players();
+    const world::PlayerId id = visitors_[visitor].id;
+    steer(visitor, frame, now, walks);
     const auto view = std::make_shared<node::View>();
     view->session = visitor + 1;
     view->frame = frame;
@@ -57,8 +62,8 @@ class Wood {
     view->players = players.all(now);
     view->visitors = view->players.size();
     view->camera.pose = players.find(id, now)->pose;
-    view->camera.width = 320;
-    view->camera.height = 180;
+    view->camera.width = lines * 16 / 9;
+    view->camera.height = lines;
     std::vector<Shown> shown;
     for (const node::VisibleObject& object : node::visibleObjects(world_.scene.layout, *view)) {
       shown.push_back(show(*visitors_[visitor].half, object, view));
@@ -159,6 +164,7 @@ class Wood {
   node::SharedStore store_{std::size_t{256} << 20U,
                            [this](const node::ToBackend& message) { return fetch(std::get<node::Request>(message)); }};
   LightFieldBackend backend_{services(), 0, {}};
+  const std::shared_ptr<RecentCells> recent_ = std::make_shared<RecentCells>();
   node::FrontendTools tools_{stand_.workers, stand_.timeline, stand_.memory, stand_.images, world_.scene.layout.sky};
   std::vector<Visitor> visitors_;
 };

@@ -143,8 +143,8 @@ std::optional<ViewCell> cellIn(const Layer& layer, const ViewGeometry& geometry,
 
 }  // namespace
 
-float reprojectionError(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal,
-                        float errorPixels) {
+float reprojectionError(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal, float errorPixels,
+                        std::int32_t sharper) {
   constexpr float kNever = std::numeric_limits<float>::infinity();
   const float ball = geometry.extent;
   const world::Vec3 from = own - geometry.target;
@@ -153,6 +153,7 @@ float reprojectionError(const ViewGeometry& geometry, world::Vec3 own, world::Ve
   const float distance = glm::length(to);
   const float nearer = std::log2(axis / distance) * kShellsPerOctave;
   if (!(distance > kOutside * ball && std::abs(nearer) <= kMaxOctaves * kShellsPerOctave)) return kNever;
+  const float blurred = nearer - static_cast<float>(sharper) * (kShellsPerOctave / kFocalsPerOctave);
   if (!(glm::dot(from, to) >= kMinCosine * axis * distance)) return kNever;
   const float along = glm::dot(eye - own, from) / axis;
   const float side = glm::length(eye - own - along * from / axis);
@@ -160,7 +161,7 @@ float reprojectionError(const ViewGeometry& geometry, world::Vec3 own, world::Ve
   // So far aside that the proof no longer holds; the angle is still large.
   const float clear = std::max(distance - side - radial * ball / axis, kOutside * ball);
   const float angle = (2.0F * ball * side + radial * ball * ball / axis) / (clear * clear - ball * ball);
-  return std::max({angle * focal / errorPixels, nearer, -nearer / kFarther, side / (kWidest * axis)});
+  return std::max({angle * focal / errorPixels, blurred, -blurred / kFarther, side / (kWidest * axis)});
 }
 
 std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, float focal, float errorPixels) {

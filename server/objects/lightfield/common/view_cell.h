@@ -45,11 +45,12 @@ struct ViewCell {
 [[nodiscard]] std::optional<ViewCell> viewCell(const ViewGeometry& geometry, const CellId& id);
 
 /// The reprojection error of a picture made from `own`, for `eye` (object coordinates; it may be in another cell), in a
-/// frame of this focal length. The result is relative to the permitted error: `errorPixels` of parallax, an eye nearer
-/// than `own` by an eighth of an octave (the picture is then that much less sharp), or farther by two eighths. Above 1
-/// it is an estimate, and it is infinite if too little of the object is in the picture.
+/// frame of this focal length. The result is relative to the permitted error: `errorPixels` of parallax, a picture that
+/// is less sharp than needed by an eighth of an octave, because the eye is nearer than `own`, or sharper by two eighths.
+/// `sharper`: the picture's step of the focal length less the frame's. Above 1 it is an estimate, and it is infinite if
+/// too little of the object is in the picture.
 [[nodiscard]] float reprojectionError(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal,
-                                      float errorPixels);
+                                      float errorPixels, std::int32_t sharper = 0);
 
 inline constexpr float kMinReach = 0.04F;
 inline constexpr int kMaxCellSize = 2048;

@@ -84,8 +84,8 @@ bool isCoarse(const node::Reply& reply) {
 
 }  // namespace
 
-LightFieldFrontend::LightFieldFrontend(const node::FrontendTools& tools)
-    : timeline_(tools.timeline), sky_(tools.sky), shared_(tools.timeline), own_(tools.timeline) {}
+LightFieldFrontend::LightFieldFrontend(const node::FrontendTools& tools, std::shared_ptr<RecentCells> recent)
+    : timeline_(tools.timeline), sky_(tools.sky), shared_(tools.timeline, std::move(recent)), own_(tools.timeline) {}
 
 node::Plan LightFieldFrontend::plan(const node::VisibleObject& object, const node::View& view,
                                     const node::SharedOf& shared, const node::Reply* reply) {

@@ -15,7 +15,8 @@ namespace grove::objects::lightfield {
 /// eye. Near objects use the visitor's own pictures, reused as long as they are good enough.
 class LightFieldFrontend final : public node::FrontendHalf {
  public:
-  explicit LightFieldFrontend(const node::FrontendTools& tools);
+  /// `recent`: of all visitors.
+  LightFieldFrontend(const node::FrontendTools& tools, std::shared_ptr<RecentCells> recent);
 
   [[nodiscard]] node::Plan plan(const node::VisibleObject& object, const node::View& view, const node::SharedOf& shared,
                                 const node::Reply* reply) override;

@@ -12,7 +12,7 @@ class LightFieldFrontendType final : public node::FrontendType {
   [[nodiscard]] std::string_view name() const override { return kTypeName; }
 
   [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& tools) const override {
-    return std::make_unique<LightFieldFrontend>(tools);
+    return std::make_unique<LightFieldFrontend>(tools, recent_);
   }
 
   [[nodiscard]] std::shared_ptr<node::SharedData> unpack(const node::Key& key, node::Version version,
@@ -21,6 +21,9 @@ class LightFieldFrontendType final : public node::FrontendType {
     if (key.empty()) return FieldInfo::unpack(bytes, version);
     return CachedView::unpack(bytes);
   }
+
+ private:
+  const std::shared_ptr<RecentCells> recent_ = std::make_shared<RecentCells>();
 };
 
 }  // namespace

@@ -18,8 +18,8 @@ constexpr float kMinSharedReach = 0.13F;
 /// current eye is used.
 constexpr std::array<float, 3> kStepsAhead{1.8F, 1.2F, 0.6F};
 
-float errorFor(const Sight& sight, world::Vec3 own) {
-  return reprojectionError(sight.field.geometry, own, sight.camera.eye, sight.focal(), sight.field.maxError);
+float errorFor(const Sight& sight, world::Vec3 own, std::int32_t sharper = 0) {
+  return reprojectionError(sight.field.geometry, own, sight.camera.eye, sight.focal(), sight.field.maxError, sharper);
 }
 
 std::optional<ViewCell> cellAt(const Sight& sight, world::Vec3 eye) {
@@ -34,6 +34,16 @@ std::shared_ptr<const CachedView> find(const Sight& sight, const CellId& cell) {
 
 }  // namespace
 
+SharedViews::Last SharedViews::pictureOf(const Sight& sight, const CellId& cell, std::int32_t focal) {
+  Last last{cell, find(sight, cell), kNever};
+  if (!last.picture) return last;
+  // Frames may have changed their size, for everybody at once.
+  last.error = errorFor(sight, last.picture->camera().eye, cell.focal - focal);
+  if (cell.coarse) last.error = std::max(last.error, kCoarseError);
+  if (cell.version != sight.field.number) last.error = std::max(last.error, kOutdatedError);
+  return last;
+}
+
 std::optional<ViewCell> SharedViews::cellOf(const Sight& sight) {
   if (sight.field.maxError <= 0.0F) return std::nullopt;
   auto cell = cellAt(sight, sight.camera.eye);
@@ -43,13 +53,16 @@ std::optional<ViewCell> SharedViews::cellOf(const Sight& sight) {
 
 SharedViews::Last SharedViews::lastOf(const Sight& sight, std::int32_t focal) const {
   const std::optional<CellId> cell = last_.last(sight.id());
-  if (!cell || cell->focal != focal) return {{}, nullptr, kNever};
-  Last last{*cell, find(sight, *cell), kNever};
-  if (!last.picture) return last;
-  last.error = errorFor(sight, last.picture->camera().eye);
-  if (cell->coarse) last.error = std::max(last.error, kCoarseError);
-  if (cell->version != sight.field.number) last.error = std::max(last.error, kOutdatedError);
-  return last;
+  return cell ? pictureOf(sight, *cell, focal) : ofOthers(sight, focal);
+}
+
+SharedViews::Last SharedViews::ofOthers(const Sight& sight, std::int32_t focal) const {
+  Last best;
+  for (const CellId& cell : recent_->of(sight.id())) {
+    Last last = pictureOf(sight, cell, focal);
+    if (last.error < best.error) best = std::move(last);
+  }
+  return best;
 }
 
 node::Plan SharedViews::begin(const Sight& sight, const ViewCell& cell) {
@@ -73,6 +86,7 @@ node::Plan SharedViews::begin(const Sight& sight, const ViewCell& cell) {
 node::Plan SharedViews::resume(const Sight& sight, const node::Reply& reply) {
   CellId cell = cellIdOf(reply.ask.key);
   if (const auto* const data = std::get_if<std::shared_ptr<const node::SharedData>>(&reply.payload)) {
+    recent_->add(sight.id(), cell);
     return show(sight, cell.coarse ? "coarse views" : "view cache misses", cell,
                 std::static_pointer_cast<const CachedView>(*data));
   }

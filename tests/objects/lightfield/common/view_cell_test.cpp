@@ -146,6 +146,22 @@ TEST(ViewCell, ServesAllOfACellAndMore) {
   EXPECT_GT(cells, 300);
 }
 
+// Faults: a picture of another size of the frame counts as sharp, or never serves.
+TEST(ViewCell, OtherSizesOfTheFrameCostSharpness) {
+  const ViewGeometry geometry = ballOf(2.0F);
+  const Vec3 own = geometry.target + Vec3(0.0F, 0.0F, 20.0F);
+  const auto errorOf = [&](float nearer, std::int32_t sharper) {
+    return reprojectionError(geometry, own, own - Vec3(0.0F, 0.0F, nearer), 500.0F, 64.0F, sharper);
+  };
+  EXPECT_LT(errorOf(0.0F, 0), 0.1F);
+  EXPECT_FLOAT_EQ(errorOf(0.0F, 1), 1.0F) << "a quarter of an octave too sharp";
+  EXPECT_FLOAT_EQ(errorOf(0.0F, 4), 4.0F);
+  EXPECT_FLOAT_EQ(errorOf(0.0F, -1), 2.0F) << "a quarter of an octave too coarse";
+  // Nearer by an eighth of an octave, it is half as much too sharp.
+  EXPECT_LT(errorOf(1.6F, 1), 1.0F);
+  EXPECT_GT(errorOf(-1.6F, 1), 1.0F);
+}
+
 TEST(ViewCell, PictureContainsTheBallSharply) {
   Dice dice;
   int cells = 0;
