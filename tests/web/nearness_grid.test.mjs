@@ -4,7 +4,7 @@ import { test } from 'node:test';
 
 import { cellsOf } from '../../web/picture/depth_grid.js';
 import { decodeNearness } from '../../web/picture/nearness_grid.js';
-import { ProtocolError } from '../../web/stream/server_messages.js';
+import { ProtocolError } from '../../web/stream/protocol_error.js';
 
 const golden = JSON.parse(readFileSync(new URL('../stream/late_walk/golden_grids.json', import.meta.url), 'utf8'));
 const bytesOf = (hex) => Uint8Array.from(hex.match(/../g) ?? [], (byte) => parseInt(byte, 16));

@@ -15,7 +15,8 @@ import {
   encodeResize,
 } from '../../web/stream/client_messages.js';
 import { kSubProtocols } from '../../web/stream/protocol.js';
-import { ProtocolError, decodeServerMessage } from '../../web/stream/server_messages.js';
+import { ProtocolError } from '../../web/stream/protocol_error.js';
+import { decodeServerMessage } from '../../web/stream/server_messages.js';
 
 const golden = JSON.parse(readFileSync(new URL('../stream/protocol/golden_messages.json', import.meta.url), 'utf8'));
 const bytesOf = (hex) => Uint8Array.from(Buffer.from(hex, 'hex')).buffer;

@@ -1,4 +1,4 @@
-import { ProtocolError } from '../stream/server_messages.js';
+import { ProtocolError } from '../stream/protocol_error.js';
 
 /** Values of the grid are 1 / view depth in steps of this, 1 / metres. */
 const kStep = 1 / 64;

@@ -53,6 +53,8 @@ export class WarpMesh {
   #xs;
   #ys;
   #nearness;
+  /** The corners' places if everything were infinitely far. */
+  #far;
 
   constructor(picture) {
     const { width, height } = windowOf(picture);
@@ -62,6 +64,7 @@ export class WarpMesh {
     this.#nearness = new Float32Array(across);
     this.corners = cornersOf(this.#xs, this.#ys);
     this.places = new Float32Array(this.corners.length);
+    this.#far = new Float32Array(this.corners.length);
     this.indices = trianglesOf(across, this.#ys.length);
   }
 
@@ -81,7 +84,7 @@ export class WarpMesh {
     // The nearest comes last, because it hides the others.
     for (const part of [...picture.space.moving].reverse()) {
       const surface = new MovingSurface(picture, depths, part);
-      this.#follow(surface, look, shiftOf(picture, displacementFrom(part, view)));
+      this.#follow(surface, shiftOf(picture, displacementFrom(part, view)));
     }
   }
 
@@ -89,20 +92,15 @@ export class WarpMesh {
    * Finds the places again for corners that show a moving surface now, or would show it where it was: there, what is
    * behind it moves along. `shift`: of the eye, as seen from the surface.
    */
-  #follow(surface, look, [shiftX, shiftY, forwards]) {
+  #follow(surface, [shiftX, shiftY, forwards]) {
     const places = this.places;
-    const across = this.#xs.length;
-    for (let i = 0; i < places.length / 2; i += 1) {
-      const x = this.#xs[i % across];
-      const y = this.#ys[Math.floor(i / across)];
-      const perForward = 1 / Math.max(kLeastForward, look[2] * x + look[5] * y + look[8]);
-      const farX = (look[0] * x + look[3] * y + look[6]) * perForward;
-      const farY = (look[1] * x + look[4] * y + look[7]) * perForward;
-      const placeX = farX + (shiftX - farX * forwards) * surface.nearness;
-      const placeY = farY + (shiftY - farY * forwards) * surface.nearness;
-      if (!surface.isAt(placeX, placeY) && !surface.isAt(places[2 * i], places[2 * i + 1])) continue;
-      places[2 * i] = placeX;
-      places[2 * i + 1] = placeY;
+    for (let i = 0; i < places.length; i += 2) {
+      const [farX, farY] = [this.#far[i], this.#far[i + 1]];
+      const x = farX + (shiftX - farX * forwards) * surface.nearness;
+      const y = farY + (shiftY - farY * forwards) * surface.nearness;
+      if (!surface.isAt(x, y) && !surface.isAt(places[i], places[i + 1])) continue;
+      places[i] = x;
+      places[i + 1] = y;
     }
   }
 
@@ -124,6 +122,8 @@ export class WarpMesh {
       let nearness = this.#nearness[column];
       for (let i = 0; i < steps; i += 1) nearness = depths.at(farX + wayX * nearness, farY + wayY * nearness);
       this.#nearness[column] = nearness;
+      this.#far[out] = farX;
+      this.#far[out + 1] = farY;
       places[out] = farX + wayX * nearness;
       places[out + 1] = farY + wayY * nearness;
       out += 2;

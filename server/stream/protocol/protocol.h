@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "stream/protocol/space.h"
 #include "world/players.h"
 
 /// The messages of PROTOCOL.md. Parsing never throws and never reads past the end.
@@ -149,32 +150,6 @@ struct Label {
 inline constexpr std::size_t kMaxLabels = 24;
 inline constexpr std::size_t kLabelBytes = 10;
 
-/// Since v1.5: the part of a picture where an object may be that moves by itself.
-struct MovingPart {
-  std::uint16_t left = 0;  ///< pixels of the picture
-  std::uint16_t top = 0;
-  std::uint16_t right = 0;  ///< exclusive
-  std::uint16_t bottom = 0;
-  std::uint16_t nearestCentimetres = 0;  ///< its surfaces have view depths from this, above 0
-  std::uint16_t farthestCentimetres = 0;
-  world::Vec2 velocity{0.0F};  ///< along x and z, metres per second
-
-  friend bool operator==(const MovingPart&, const MovingPart&) = default;
-};
-inline constexpr std::size_t kMaxMovingParts = 16;
-inline constexpr std::size_t kMovingPartBytes = 20;
-
-/// Since v1.5: where a picture was drawn, and how near the surfaces in it are.
-struct Space {
-  world::Vec3 eye{0.0F};                     ///< of the picture's camera, ahead of a visitor who walks
-  world::Vec3 visitor{0.0F};                 ///< the eye of the visitor `sinceInputMicroseconds` after `lastInput` came
-  world::Vec2 velocity{0.0F};                ///< of the visitor then, along x and z, metres per second
-  std::uint32_t sinceInputMicroseconds = 0;  ///< saturates
-  std::vector<MovingPart> moving = {};       ///< nearest first, at most kMaxMovingParts
-  std::vector<std::uint8_t> nearness = {};   ///< of encodeNearness(), at most 65535 bytes
-};
-inline constexpr std::size_t kSpaceBytes = 40;
-
 /// Header of a Picture, which replaces Frame since v1.2.
 struct PictureHeader : FrameHeader {
   bool independent = true;  ///< can be decoded without earlier ones
@@ -191,9 +166,7 @@ struct PictureHeader : FrameHeader {
   return kPictureHeaderBytes + labels * kLabelBytes;
 }
 [[nodiscard]] inline std::size_t pictureHeaderBytes(const PictureHeader& header) {
-  const std::size_t space =
-      header.space ? kSpaceBytes + header.space->moving.size() * kMovingPartBytes + header.space->nearness.size() : 0;
-  return pictureHeaderBytes(header.labels.size()) + space;
+  return pictureHeaderBytes(header.labels.size()) + (header.space ? spaceBytes(*header.space) : 0);
 }
 
 /// What limits the stream's quality.

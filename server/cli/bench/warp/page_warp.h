@@ -27,7 +27,8 @@ struct WarpMesh {
 /// The camera of the window in a picture: its middle without the border, as web/picture/look_geometry.js has it.
 [[nodiscard]] world::Camera windowOf(world::Camera picture, int borderPercent);
 
-/// The mesh by which a page moves a picture to the eye of `window`; does what web/picture/warp_mesh.js does.
+/// The mesh by which a page moves a picture to the eye of `window`; does what web/picture/warp_mesh.js does, without
+/// parts that move by themselves.
 [[nodiscard]] WarpMesh warpMesh(const stream::NearnessGrid& grid, const world::Camera& picture,
                                 const world::Camera& window);
 

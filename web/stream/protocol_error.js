@@ -1,0 +1,3 @@
+export class ProtocolError extends Error {
+  name = 'ProtocolError';
+}
