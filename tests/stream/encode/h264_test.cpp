@@ -113,19 +113,23 @@ raster::Image withFigure(std::vector<std::uint32_t>& pixels, float x, float y, f
   constexpr int kSkyWidth = 480;
   constexpr int kSkyHeight = 240;
   for (int row = 0; row < kSkyHeight; ++row) {
-    for (int column = 0; column < kSkyWidth; ++column) {
-      const float across = static_cast<float>(column) + 0.5F - x;
-      const float down = static_cast<float>(row) + 0.5F - y;
-      const float width =
-          16.0F * std::sqrt(std::max(0.0F, 1.0F - down * down / 3600.0F)) + std::sin(0.2F * down + time);
-      const float share = std::clamp(width - std::abs(across) + 0.5F, 0.0F, 1.0F);
+    const auto height = static_cast<float>(row);
+    const float down = height + 0.5F - y;
+    const float width = 16.0F * std::sqrt(std::max(0.0F, 1.0F - down * down / 3600.0F)) + std::sin(0.2F * down + time);
+    const auto colour = [&](float share) {
       const auto channel = [&](float sky, float body) {
         return static_cast<std::uint32_t>(std::lround(sky + share * (body - sky)));
       };
-      const auto height = static_cast<float>(row);
-      pixels[static_cast<std::size_t>(row) * kSkyWidth + static_cast<std::size_t>(column)] =
-          0xFF000000U | channel(220.0F + 0.05F * height, 50.0F) << 16U | channel(180.0F + 0.15F * height, 60.0F) << 8U |
-          channel(150.0F + 0.2F * height, 70.0F);
+      return 0xFF000000U | channel(220.0F + 0.05F * height, 50.0F) << 16U |
+             channel(180.0F + 0.15F * height, 60.0F) << 8U | channel(150.0F + 0.2F * height, 70.0F);
+    };
+    const auto first = pixels.begin() + std::ptrdiff_t{row} * kSkyWidth;
+    std::fill_n(first, kSkyWidth, colour(0.0F));
+    for (int column = 0; column < kSkyWidth; ++column) {
+      const float share = width - std::abs(static_cast<float>(column) + 0.5F - x) + 0.5F;
+      if (share > 0.0F) {
+        first[column] = colour(std::min(share, 1.0F));
+      }
     }
   }
   raster::Image image;
