@@ -16,7 +16,7 @@
 
 namespace grove::raster {
 
-inline constexpr std::size_t kMaxBones = 4;
+inline constexpr std::size_t kMaxBones = 20;
 inline constexpr std::size_t kMaxLamps = 8;
 
 /// A surface with the light at each vertex: across-user, made once.

@@ -1,5 +1,6 @@
 #include "raster/vertex_arrays.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace grove::raster {
@@ -13,6 +14,7 @@ VertexArrays::VertexArrays(const LitSurface& object) {
     const auto bone = static_cast<std::size_t>(vertex.bone);
     if (runs.empty() || runs.back().bone != bone) runs.push_back({i, i, bone});
     runs.back().end = i + 1;
+    bones = std::max(bones, bone + 1);
     positionX.push_back(vertex.position.x);
     positionY.push_back(vertex.position.y);
     positionZ.push_back(vertex.position.z);
@@ -30,13 +32,14 @@ VertexArrays::VertexArrays(const LitSurface& object) {
     indirectG.push_back(light.z);
     indirectB.push_back(light.w);
   }
+  assert(bones <= kMaxBones);
   for (const Level& level : object.surface.levels) edges.push_back(edgesOf(level.triangles));
 }
 
 std::size_t VertexArrays::bytes() const noexcept {
-  std::size_t sum = pipeline::vectorBytes(runs, positionX, positionY, positionZ, normalX, normalY, normalZ, albedoR,
-                                          albedoG, albedoB, emission, tint, lichen, sun, indirectR, indirectG,
-                                          indirectB, edges);
+  std::size_t sum =
+      pipeline::vectorBytes(runs, positionX, positionY, positionZ, normalX, normalY, normalZ, albedoR, albedoG, albedoB,
+                            emission, tint, lichen, sun, indirectR, indirectG, indirectB, edges);
   for (const std::vector<SurfaceEdge>& level : edges) sum += pipeline::vectorBytes(level);
   return sum;
 }

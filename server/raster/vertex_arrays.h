@@ -23,6 +23,7 @@ struct VertexArrays {
   [[nodiscard]] std::size_t bytes() const noexcept;
 
   std::vector<Run> runs;
+  std::size_t bones = 0;  ///< all runs have smaller bones; at most kMaxBones
   std::vector<float> positionX, positionY, positionZ;
   std::vector<float> normalX, normalY, normalZ;
   std::vector<float> albedoR, albedoG, albedoB;

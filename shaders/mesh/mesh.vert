@@ -5,7 +5,7 @@ layout(location = 0) in vec4 position;  // w: index of its bone
 layout(location = 1) in vec4 light;     // display-encoded; a: weight of the relief
 layout(location = 2) in float lichen;
 
-const int kMaxBones = 4;
+const int kMaxBones = 20;
 
 uniform mat4 toClip[kMaxBones];  // of the tile
 

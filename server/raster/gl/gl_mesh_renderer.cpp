@@ -86,7 +86,8 @@ class GlMeshRenderer::Target {
 
  private:
   [[nodiscard]] std::size_t bytes() const {
-    std::size_t sum = 2 * pipeline::vectorBytes(light_) + pipeline::vectorBytes(surface_, depth_) + screenSurface_.bytes() + outline_.bytes();
+    std::size_t sum = 2 * pipeline::vectorBytes(light_) + pipeline::vectorBytes(surface_, depth_) +
+                      screenSurface_.bytes() + outline_.bytes();
     for (const auto& [size, atlas] : atlases_) sum += atlas.bytes();
     for (const auto& [object, surface] : surfaces_) sum += surface.bytes();
     return sum;
@@ -149,10 +150,13 @@ class GlMeshRenderer::Target {
     api_.Viewport(tile.left, tile.top, tile.width(), tile.height());
     api_.Scissor(tile.left, tile.top, tile.width(), tile.height());
     const world::Mat4 clip = clipMatrix(*drawing.camera, drawing.rect);
+    const GlSurface& surface = surfaceOf(*drawing.object);
+    // Most surfaces have few bones: products and uploads for the others would cost several times as much.
+    const auto bones = std::span(drawing.bones).first(surface.arrays().bones);
     std::array<world::Mat4, kMaxBones> toClip;
-    std::ranges::transform(drawing.bones, toClip.begin(), [&](const world::Mat4& bone) { return clip * bone; });
-    api_.UniformMatrix4fv(toClip_, static_cast<GLsizei>(kMaxBones), GL_FALSE, &toClip[0][0][0]);
-    surfaceOf(*drawing.object).draw(levelOf(drawing), lightBuffer_, firstLight);
+    std::ranges::transform(bones, toClip.begin(), [&](const world::Mat4& bone) { return clip * bone; });
+    api_.UniformMatrix4fv(toClip_, static_cast<GLsizei>(bones.size()), GL_FALSE, &toClip[0][0][0]);
+    surface.draw(levelOf(drawing), lightBuffer_, firstLight);
   }
 
   /// Valid until the next call.

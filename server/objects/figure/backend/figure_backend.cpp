@@ -1,5 +1,6 @@
 #include "objects/figure/backend/figure_backend.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -103,7 +104,7 @@ std::optional<FigureBackend::Figure> FigureBackend::figureOf(const node::Request
   // A busy machine draws coarser figures: doubled errors at most.
   drawing.distance = std::sqrt(node::errorFactor(workers_.busyShare())) *
                      glm::distance(body.centre(), view.camera.pose.position) / transform.scale;
-  drawing.bones = bonesOf(player, transform);
+  std::ranges::copy(bonesOf(player, transform), drawing.bones.begin());
   drawing.tint = linear(player.colour);
   drawing.sunShare =
       raster::sunAt(transform.position + world::Vec3(0.0F, kChestHeight, 0.0F), layout_.sky.sun, geometry_.rays());

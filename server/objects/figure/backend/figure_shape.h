@@ -7,7 +7,7 @@
 namespace grove::objects::figure {
 
 /// Groups of vertices that move together.
-enum Bone : std::uint8_t { kBody, kLeftLeg, kRightLeg, kArm };
+enum Bone : std::uint8_t { kBody, kLeftLeg, kRightLeg, kArm, kBones };
 
 /// Makes a hooded visitor with a lantern, kFigureHeight tall, feet at the origin, facing -Z. Cloak and lantern take the
 /// drawing's tint.

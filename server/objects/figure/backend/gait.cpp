@@ -25,7 +25,7 @@ float paceOf(const world::Player& player) noexcept {
   return std::min(1.0F, std::hypot(player.velocity.x, player.velocity.z) / world::kWalkSpeed);
 }
 
-std::array<Mat4, raster::kMaxBones> bonesOf(const world::Player& player, const world::Transform& transform) {
+std::array<Mat4, kBones> bonesOf(const world::Player& player, const world::Transform& transform) {
   const float phase = player.stride * kTurn / kStrideMetres;
   const float pace = paceOf(player);
   const float swing = kSwing * pace * std::sin(phase);

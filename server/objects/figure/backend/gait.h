@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "raster/drawing.h"
+#include "objects/figure/backend/figure_shape.h"
 #include "world/object.h"
 #include "world/players.h"
 
@@ -16,7 +16,6 @@ inline constexpr float kStrideMetres = 1.5F;  ///< two steps
 
 /// Returns the world transforms of a visitor's bones. The distance walked drives the legs, so feet do not slide; the
 /// legs come to rest with the visitor.
-[[nodiscard]] std::array<world::Mat4, raster::kMaxBones> bonesOf(const world::Player& player,
-                                                                 const world::Transform& transform);
+[[nodiscard]] std::array<world::Mat4, kBones> bonesOf(const world::Player& player, const world::Transform& transform);
 
 }  // namespace grove::objects::figure

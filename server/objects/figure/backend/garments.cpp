@@ -1,10 +1,13 @@
 #include "objects/figure/backend/garments.h"
 
-#include "objects/figure/backend/tube.h"
+#include "raster/tube.h"
 
 namespace grove::objects::figure {
 namespace {
 
+using raster::levelRing;
+using raster::makeTube;
+using raster::profile;
 using raster::Surface;
 using raster::Vertex;
 using world::Vec3;

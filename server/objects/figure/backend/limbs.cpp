@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "objects/figure/backend/tube.h"
+#include "raster/tube.h"
 
 namespace grove::objects::figure {
 namespace {
 
+using raster::levelRing;
+using raster::makeTube;
+using raster::profile;
+using raster::squareRing;
 using raster::Surface;
 using raster::Vertex;
 using world::Vec3;

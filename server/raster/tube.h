@@ -7,8 +7,8 @@
 
 #include "raster/surface.h"
 
-/// Closed tubes, of which figures are built.
-namespace grove::objects::figure {
+/// Closed tubes, of which bodies are built.
+namespace grove::raster {
 
 /// A value at a place along a tube. Values between knots are interpolated smoothly.
 struct Knot {
@@ -44,23 +44,22 @@ struct Ring {
   return {centre, right * radius, back * radius};
 }
 
-/// Makes a closed tube with three levels of detail. `ring` and `paint` get a share 0..1 of the length and an angle, 0
-/// in front and positive to the right. The coarsest level has 8 `around` corners around it.
+/// Makes a closed tube with `halvings` + 1 levels of detail. `ring` and `paint` get a share 0..1 of the length and an
+/// angle, 0 in front and positive to the right. The coarsest level has 8 `around` corners around it.
 template <class RingAt, class Paint>
-[[nodiscard]] raster::Surface makeTube(int around, int segments, const RingAt& ring, const Paint& paint) {
-  constexpr int kHalvings = 2;
-  return raster::makeDeformedBox({around, segments, around}, kHalvings, [&](world::Vec3 cube) {
+[[nodiscard]] Surface makeTube(int around, int segments, const RingAt& ring, const Paint& paint, int halvings = 2) {
+  return makeDeformedBox({around, segments, around}, halvings, [&](world::Vec3 cube) {
     const float along = 0.5F * (cube.y + 1.0F);
     const float angle = std::atan2(cube.x, -cube.z);
     const float square = std::max(std::abs(cube.x), std::abs(cube.z));
     const float circle = std::hypot(cube.x, cube.z);
     const float out = circle > 0.0F ? square / circle : 0.0F;
     const Ring at = ring(along, angle);
-    raster::Vertex vertex;
+    Vertex vertex;
     vertex.position = at.centre + out * (cube.x * at.right + cube.z * at.back);
     paint(vertex, along, angle);
     return vertex;
   });
 }
 
-}  // namespace grove::objects::figure
+}  // namespace grove::raster
