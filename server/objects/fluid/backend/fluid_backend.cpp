@@ -17,9 +17,9 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "node/backend/tick_clock.h"
 #include "node/load_shedding.h"
 #include "objects/fluid/backend/fluid_backend_type.h"
-#include "objects/fluid/backend/fluid_clock.h"
 #include "objects/fluid/backend/pace.h"
 #include "objects/fluid/backend/scalable_simulation.h"
 #include "objects/fluid/common/snapshot_packing.h"
@@ -83,7 +83,7 @@ class FluidBackend::Fire {
     grow(simulation, services.progress);
     newest_ = simulation.snapshot(world_.now().value_or(kStandsStill));
     held_.set(simulation.bytes() + newest_->bytes());
-    clock_ = std::make_unique<FluidClock>(kTicksPerSecond, [this] { return tick(); });
+    clock_ = std::make_unique<node::TickClock>(kTicksPerSecond, [this] { return tick(); });
     awake_ = world_.whileVisited([this] { clock_->wake(); });
   }
 
@@ -179,8 +179,8 @@ class FluidBackend::Fire {
     return node::errorFactor(workers_.busyShare()) > kMaxFactorAtFullRate ? 2 : 1;
   }
 
-  FluidClock::Next tick() noexcept {
-    if (++periods_ < periodsPerTick()) return FluidClock::Next::kTick;
+  node::TickClock::Next tick() noexcept {
+    if (++periods_ < periodsPerTick()) return node::TickClock::Next::kTick;
     const int periods = std::exchange(periods_, 0);
     try {
       const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, kTypeName);
@@ -203,11 +203,11 @@ class FluidBackend::Fire {
       }
       announce_({{id_, {}}, static_cast<node::Version>(simulation.tick())});
       keepPace((pipeline::threadCpuNanoseconds() - begin) / periods);
-      return rest ? FluidClock::Next::kSleep : FluidClock::Next::kTick;
+      return rest ? node::TickClock::Next::kSleep : node::TickClock::Next::kTick;
     } catch (const std::exception& e) {
       timeline_.recordFailure(kStage, pipeline::Work::kAcrossUser);
       log::error(std::string(kStage) + " of " + name_ + ": " + e.what());
-      return FluidClock::Next::kTick;
+      return node::TickClock::Next::kTick;
     }
   }
 
@@ -235,7 +235,7 @@ class FluidBackend::Fire {
   std::vector<std::shared_ptr<const FluidSnapshot>> past_;  ///< before the newest, oldest first
   std::size_t ticksToKeep_ = 0;                             ///< counts down after a request for differences
   std::shared_ptr<const SnapshotChange> change_;            ///< last requested one
-  std::unique_ptr<FluidClock> clock_;                       ///< stops before the members that it uses are destroyed
+  std::unique_ptr<node::TickClock> clock_;                  ///< stops before the members that it uses are destroyed
   std::shared_ptr<void> awake_;  ///< held while visitors are present; last, since it uses the clock
 };
 

@@ -1,15 +1,15 @@
-#include "objects/fluid/backend/fluid_clock.h"
+#include "node/backend/tick_clock.h"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
-namespace grove::objects::fluid {
+namespace grove::node {
 
-FluidClock::FluidClock(double ticksPerSecond, std::function<Next()> tick)
+TickClock::TickClock(double ticksPerSecond, std::function<Next()> tick)
     : tick_(std::move(tick)), thread_([this, ticksPerSecond] { run(ticksPerSecond); }) {}
 
-FluidClock::~FluidClock() {
+TickClock::~TickClock() {
   {
     const std::lock_guard lock(mutex_);
     stopping_ = true;
@@ -18,13 +18,13 @@ FluidClock::~FluidClock() {
   thread_.join();
 }
 
-void FluidClock::wake() {
+void TickClock::wake() {
   const std::lock_guard lock(mutex_);
   wanted_ = true;
   if (asleep_) wake_.notify_all();
 }
 
-void FluidClock::run(double ticksPerSecond) {
+void TickClock::run(double ticksPerSecond) {
   using Clock = std::chrono::steady_clock;
   const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / ticksPerSecond));
   Clock::time_point due = Clock::now();
@@ -46,4 +46,4 @@ void FluidClock::run(double ticksPerSecond) {
   }
 }
 
-}  // namespace grove::objects::fluid
+}  // namespace grove::node

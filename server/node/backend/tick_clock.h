@@ -5,23 +5,23 @@
 #include <mutex>
 #include <thread>
 
-namespace grove::objects::fluid {
+namespace grove::node {
 
 /// A thread that ticks at a steady rate until destruction, or sleeps while there are no visitors. After a late tick, at
 /// most one tick follows without a pause; further missed ticks are skipped.
-class FluidClock {
+class TickClock {
  public:
   /// kSleep: no tick until wake().
   enum class Next { kTick, kSleep };
 
   /// `tick` runs on the clock's thread and must not throw.
-  FluidClock(double ticksPerSecond, std::function<Next()> tick);
+  TickClock(double ticksPerSecond, std::function<Next()> tick);
 
   /// Waits for the tick in progress and stops.
-  ~FluidClock();
+  ~TickClock();
 
-  FluidClock(const FluidClock&) = delete;
-  FluidClock& operator=(const FluidClock&) = delete;
+  TickClock(const TickClock&) = delete;
+  TickClock& operator=(const TickClock&) = delete;
 
   /// Ends the sleep with an immediate tick. Called during a tick, it prevents the sleep after that tick. Any thread;
   /// almost free while the clock is awake.
@@ -39,4 +39,4 @@ class FluidClock {
   std::thread thread_;
 };
 
-}  // namespace grove::objects::fluid
+}  // namespace grove::node

@@ -1,4 +1,4 @@
-#include "objects/fluid/backend/fluid_clock.h"
+#include "node/backend/tick_clock.h"
 
 #include <gtest/gtest.h>
 
@@ -6,17 +6,17 @@
 #include <chrono>
 #include <thread>
 
-namespace grove::objects::fluid {
+namespace grove::node {
 namespace {
 
-using Next = FluidClock::Next;
+using Next = TickClock::Next;
 
 constexpr auto kAWhile = std::chrono::milliseconds(20);
 
-TEST(FluidClock, TicksUntilItIsDestroyed) {
+TEST(TickClock, TicksUntilItIsDestroyed) {
   std::atomic<int> ticks = 0;
   {
-    const FluidClock clock(1000.0, [&] {
+    const TickClock clock(1000.0, [&] {
       ++ticks;
       return Next::kTick;
     });
@@ -27,10 +27,10 @@ TEST(FluidClock, TicksUntilItIsDestroyed) {
   EXPECT_EQ(ticks, stopped);
 }
 
-TEST(FluidClock, StopsWhileItWaits) {
+TEST(TickClock, StopsWhileItWaits) {
   std::atomic<int> ticks = 0;
   {
-    const FluidClock clock(0.001, [&] {
+    const TickClock clock(0.001, [&] {
       ++ticks;
       return Next::kTick;
     });
@@ -39,9 +39,9 @@ TEST(FluidClock, StopsWhileItWaits) {
   EXPECT_EQ(ticks, 1);
 }
 
-TEST(FluidClock, WakesWithoutCatchingUp) {
+TEST(TickClock, WakesWithoutCatchingUp) {
   std::atomic<int> ticks = 0;
-  FluidClock clock(1000.0, [&] {
+  TickClock clock(1000.0, [&] {
     ++ticks;
     return Next::kSleep;
   });
@@ -54,10 +54,10 @@ TEST(FluidClock, WakesWithoutCatchingUp) {
   while (ticks < 6) std::this_thread::yield();
 }
 
-TEST(FluidClock, KeepsWakeUpsDuringATick) {
+TEST(TickClock, KeepsWakeUpsDuringATick) {
   std::atomic<int> ticks = 0;
   std::atomic<bool> woken = false;
-  FluidClock clock(1000.0, [&] {
+  TickClock clock(1000.0, [&] {
     if (++ticks == 1) {
       while (!woken) std::this_thread::yield();
     }
@@ -70,4 +70,4 @@ TEST(FluidClock, KeepsWakeUpsDuringATick) {
 }
 
 }  // namespace
-}  // namespace grove::objects::fluid
+}  // namespace grove::node
