@@ -1,0 +1,128 @@
+#include "objects/herd/backend/herd_backend.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <thread>
+#include <variant>
+
+#include "eventually.h"
+#include "gl/workers.h"
+#include "node/backend/prepare/load_scene.h"
+#include "objects/herd/backend/herd_backend_type.h"
+#include "objects/herd/common/herd_snapshot.h"
+#include "pipeline/worker_pool.h"
+
+namespace grove::objects::herd {
+namespace {
+
+using namespace std::chrono_literals;
+using tests::eventually;
+
+node::LoadedScene sceneOf(const std::string& settings) {
+  node::BackendTypes types;
+  types.add(std::make_unique<HerdBackendType>());
+  return loadScene(world::parseScene("[[object]]\ntype = 'herd'\n" + settings, "test"), types);
+}
+
+/// A world that is nothing but a herd.
+class HerdBackendTest : public ::testing::Test {
+ protected:
+  node::BackendServices services() {
+    return {.scene = scene_,
+            .geometry = geometry_,
+            .obstacles = geometry_.obstacles(),
+            .world = mirror_,
+            .workers = workers_,
+            .gl = gl_,
+            .timeline = timeline_,
+            .memory = memory_,
+            .images = images_,
+            .announce = [this](const node::Announcement& announcement) { announced_ = announcement.version; },
+            .progress = {}};
+  }
+
+  node::Payload answerTo(bool shared) {
+    node::Request request;
+    request.object = scene_.objects.front().id;
+    request.shared = shared;
+    node::Payload payload;
+    backend_.answer({&request, 1}, {&payload, 1});
+    return payload;
+  }
+  std::shared_ptr<const HerdSnapshot> ask() {
+    return std::dynamic_pointer_cast<const HerdSnapshot>(
+        std::get<std::shared_ptr<const node::SharedData>>(answerTo(true)));
+  }
+
+  void report(std::size_t visitors) {
+    const auto update = std::make_shared<node::WorldUpdate>();
+    update->number = ++updates_;
+    update->clock = 1000.0;
+    update->players.resize(visitors);
+    for (world::Player& player : update->players) player.pose.position = {60.0F, 1.7F, 60.0F};
+    mirror_.apply(1, update);
+  }
+
+  const node::LoadedScene scene_ = sceneOf("animals = 5\nposition = [1, 0, 2]\n");
+  const world::WorldGeometry geometry_{scene_.objects};
+  node::WorldMirror mirror_;
+  std::uint64_t updates_ = 0;
+  std::atomic<node::Version> announced_ = 0;
+  pipeline::Timeline timeline_;
+  pipeline::MemoryLedger memory_;
+  raster::ImagePool images_;
+  gl::ShaderLibrary shaders_;
+  gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
+  pipeline::WorkerPool workers_{1, "workers", {}, pipeline::WorkerPool::kMeasured};
+  HerdBackend backend_{services(), 0};
+};
+
+// Faults: a herd that costs CPU while nobody looks; one that begins anew when somebody comes; ticks that nobody hears
+// of.
+TEST_F(HerdBackendTest, SleepsWithoutVisitorsAndResumes) {
+  const auto ticks = [&] { return timeline_.totals()["Motion Graph Tick"].runs; };
+  ASSERT_TRUE(eventually([&] { return ticks() >= 60; }));
+  std::this_thread::sleep_for(200ms);
+  EXPECT_EQ(ticks(), 60U);
+  const auto asleep = ask();
+  ASSERT_TRUE(asleep);
+  EXPECT_EQ(asleep->animals().size(), 5U);
+  EXPECT_TRUE(std::isinf(asleep->time()));
+
+  report(1);
+  ASSERT_TRUE(eventually([&] { return ask()->version() > asleep->version() + 10; }));
+  const auto awake = ask();
+  EXPECT_GE(awake->time(), 1000.0) << "of the world's clock";
+  EXPECT_GE(announced_, awake->version());
+  const world::Vec3 before = asleep->animals()[0].now.place;
+  EXPECT_LT(glm::distance(before, awake->animals()[0].now.place), 12.0F);
+  EXPECT_EQ(timeline_.totals()["Motion Graph Tick"].failures, 0U);
+}
+
+// Fault: a request that is answered with something else.
+TEST_F(HerdBackendTest, ReturnsNoPictures) { EXPECT_TRUE(std::holds_alternative<node::Failure>(answerTo(false))); }
+
+// Faults: settings that are taken as they come; errors that do not say which.
+TEST(HerdBackendType, RefusesBadSettings) {
+  for (const auto& [settings, word] :
+       {std::pair("animals = 0", "animals"), std::pair("animals = 65", "animals"),
+        std::pair("animals = 2.5", "animals"), std::pair("range = 1", "range"), std::pair("range = 'far'", "range"),
+        std::pair("seed = -1", "seed"), std::pair("colour = 3", "colour"),
+        std::pair("[types.herd]\nvariants = 0", "variants"), std::pair("[types.herd]\nvariants = 99", "variants"),
+        std::pair("[types.herd]\nclips = 3", "clips")}) {
+    try {
+      (void)sceneOf(std::string(settings) + "\n");
+      ADD_FAILURE() << settings << " is taken";
+    } catch (const world::SceneError& e) {
+      EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace grove::objects::herd
