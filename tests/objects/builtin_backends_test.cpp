@@ -9,7 +9,7 @@ namespace {
 
 TEST(BuiltinBackends, ExistForEveryType) {
   EXPECT_THAT(builtinBackends().names(),
-              ::testing::UnorderedElementsAre("figure", "fluid", "ground", "lightfield", "mesh", "sky"));
+              ::testing::UnorderedElementsAre("figure", "fluid", "ground", "herd", "lightfield", "mesh", "sky"));
 }
 
 TEST(BuiltinBackends, FluidsAndSkiesNeedNoForeignModels) {

@@ -17,7 +17,7 @@ namespace {
 
 TEST(BuiltinFrontends, ExistForEveryType) {
   EXPECT_THAT(builtinFrontends().names(),
-              ::testing::UnorderedElementsAre("figure", "fluid", "ground", "lightfield", "mesh", "sky"));
+              ::testing::UnorderedElementsAre("figure", "fluid", "ground", "herd", "lightfield", "mesh", "sky"));
 }
 
 TEST(BuiltinFrontends, WorkWithoutABackend) {
