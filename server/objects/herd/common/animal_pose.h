@@ -35,7 +35,7 @@ struct AnimalPose {
   std::array<world::Vec3, kLegs> feet{};  ///< hooves' soles
 };
 
-/// Interpolates between two near poses; turns the shorter way. Feet that stay stay exactly.
+/// Interpolates between two near poses; turns the shorter way. A foot at the same place in both stays there exactly.
 [[nodiscard]] AnimalPose mixed(const AnimalPose& from, const AnimalPose& to, float share);
 [[nodiscard]] Posture mixed(const Posture& from, const Posture& to, float share);
 

@@ -120,7 +120,7 @@ TEST_F(PerformerTest, ReachesPlaces) {
 }
 
 // Fault: one that looks elsewhere.
-TEST_F(PerformerTest, TurnsOnTheSpot) {
+TEST_F(PerformerTest, TurnsInPlace) {
   for (const float yaw : {1.6F, -2.4F}) {
     Performer performer(graph_, graph_.someFrame(Activity::kAlert), {}, kSize, ground_);
     for (int i = 0; i < 240; ++i) step(performer, {Activity::kAlert, {}, yaw}, i % 12 == 0);

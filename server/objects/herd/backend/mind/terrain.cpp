@@ -19,7 +19,7 @@ constexpr int kAttempts = 40;
 }  // namespace
 
 Terrain::Terrain(Vec2 home, float range, std::vector<world::Hill> hills, std::vector<Obstacle> obstacles,
-                 std::vector<Vec2> fires)
+                 const std::vector<Vec2>& fires)
     : home_(home), range_(range), hills_(std::move(hills)), obstacles_(std::move(obstacles)) {
   for (const Vec2& fire : fires) obstacles_.push_back({fire, kFireDistance});
 }

@@ -15,7 +15,7 @@ class Terrain {
  public:
   /// The herd stays within `range` metres of `home`. `fires` are obstacles that animals keep away from.
   Terrain(world::Vec2 home, float range, std::vector<world::Hill> hills, std::vector<world::Obstacle> obstacles,
-          std::vector<world::Vec2> fires);
+          const std::vector<world::Vec2>& fires);
 
   [[nodiscard]] float height(world::Vec2 place) const noexcept { return world::groundHeight(hills_, place); }
   [[nodiscard]] world::Vec2 home() const noexcept { return home_; }

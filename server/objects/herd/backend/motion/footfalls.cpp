@@ -42,7 +42,7 @@ class FootPlanner {
     const bool moves = speed > 0.05F || std::abs(course_.turn(now)) > 0.05F;
     const bool steps = moves || isDisplaced(now);
     if (steps) {
-      // An animal that turns on the spot steps faster than one that hardly walks.
+      // An animal that turns in place steps faster than one that hardly walks.
       const float turning = 0.35F * std::abs(course_.turn(now));
       phase_ += seconds * std::max(kSlowestStrides, gait.strides + (speed < 0.5F ? turning : 0.0F));
     }

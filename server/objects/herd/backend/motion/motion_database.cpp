@@ -23,7 +23,7 @@ class Plans {
     addChangesOfSpeed();
     addStarts();
     addWheels();
-    addTurnsOnTheSpot();
+    addTurnsInPlace();
     addStanding();
     return std::move(plans_);
   }
@@ -100,7 +100,7 @@ class Plans {
     }
   }
 
-  void addTurnsOnTheSpot() {
+  void addTurnsInPlace() {
     for (const float turn : {1.3F, -1.3F, 0.6F, -0.6F}) {
       for (const Activity activity : {Activity::kStand, Activity::kAlert}) {
         add({.speed = constant(0.0F),
