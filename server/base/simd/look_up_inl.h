@@ -61,6 +61,10 @@ HWY_INLINE Floats lookUp(const float* base, Ints at) {
   const Indices indices(at);
   return joinQuads<float>([&](int lane) { return loadFour<1>(base, indices, lane); });
 }
+HWY_INLINE Ints lookUp(const std::uint32_t* base, Ints at) {
+  const Indices indices(at);
+  return hn::BitCast(IntTag(), joinQuads<std::uint32_t>([&](int lane) { return loadFour<1>(base, indices, lane); }));
+}
 HWY_INLINE Ints lookUp(const std::uint16_t* base, Ints at) {
   const Indices indices(at);
   return Ints(joinQuads<std::int32_t>(

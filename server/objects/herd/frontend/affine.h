@@ -32,23 +32,16 @@ struct PixelRays {
   }
 };
 
-/// The same value along a row of pixels of which the first has this ray, and each column adds a step to it.
-class AffineRow {
- public:
+/// The same value along a row of pixels: start + depth * (perDepth + column * perColumn), where `depth` is the view
+/// depth of what a pixel shows, and `column` counts from the row's first pixel.
+struct AffineRow {
+  /// `ray`: of the first pixel; `rayStep`: from there to the next pixel's.
   AffineRow(const Affine& value, world::Vec3 eye, world::Vec3 ray, world::Vec3 rayStep) noexcept
-      : atEye_(value.at(eye)), perDepth_(glm::dot(value.slope, ray)), step_(glm::dot(value.slope, rayStep)) {}
+      : start(value.at(eye)), perDepth(glm::dot(value.slope, ray)), perColumn(glm::dot(value.slope, rayStep)) {}
 
-  /// The values of `count` pixels from the column `from` on, which have these view depths.
-  void fill(const float* depths, int from, int count, float* values) const noexcept {
-    for (int i = 0; i < count; ++i) {
-      values[i] = atEye_ + depths[i] * (perDepth_ + static_cast<float>(from + i) * step_);
-    }
-  }
-
- private:
-  float atEye_;
-  float perDepth_;
-  float step_;
+  float start;
+  float perDepth;
+  float perColumn;
 };
 
 }  // namespace grove::objects::herd

@@ -20,8 +20,6 @@ constexpr float kFootLift = 0.12F;  // a hoof that high leaves no shadow below i
 constexpr float kTrunkStrength = 0.34F;
 constexpr float kFootStrength = 0.50F;
 
-float square(float value) { return value * value; }
-
 /// Slope of the plane through the feet along an axis: the difference between fore and hind feet, or left and right.
 float slopeBetween(Vec3 from, Vec3 to) {
   const float length = std::hypot(to.x - from.x, to.z - from.z);
@@ -47,33 +45,20 @@ Ground::Ground(const AnimalPose& pose) : point(0.25F * (pose.feet[0] + pose.feet
 }
 
 Contact::Contact(const AnimalPose& pose, float size, const Ground& ground)
-    : ahead_(-std::sin(pose.yaw), -std::cos(pose.yaw)),
-      perLength_(1.0F / (kTrunkLength * size)),
-      perWidth_(1.0F / (kTrunkWidth * size)),
-      footReach_(kFootReach * size),
-      radius_(kTrunkLength * size) {
+    : ahead(-std::sin(pose.yaw), -std::cos(pose.yaw)),
+      perLength(1.0F / (kTrunkLength * size)),
+      perWidth(1.0F / (kTrunkWidth * size)),
+      footReach(kFootReach * size),
+      radius(kTrunkLength * size) {
   // A trunk near the ground hides more of the sky.
   const float height = std::max(0.2F, (kTrunkHeight + pose.posture.rise / std::max(size, 0.1F)) / kTrunkHeight);
-  trunkStrength_ = std::min(0.7F, kTrunkStrength / height);
+  trunkStrength = std::min(0.7F, kTrunkStrength / height);
   for (std::size_t i = 0; i < kLegs; ++i) {
     const float lift = ground.height.at(pose.feet[i]);
     const float near = std::clamp(1.0F - lift / (kFootLift * size), 0.0F, 1.0F);
-    feet_[i] = {Vec2(pose.feet[i].x - pose.place.x, pose.feet[i].z - pose.place.z), kFootStrength * near};
-    radius_ = std::max(radius_, glm::length(feet_[i].at) + footReach_);
+    feet[i] = {Vec2(pose.feet[i].x - pose.place.x, pose.feet[i].z - pose.place.z), kFootStrength * near};
+    radius = std::max(radius, glm::length(feet[i].at) + footReach);
   }
-}
-
-float Contact::at(float x, float z) const noexcept {
-  if (x * x + z * z > radius_ * radius_) return 0.0F;
-  const float along = (x * ahead_.x + z * ahead_.y) * perLength_;
-  const float aside = (x * ahead_.y - z * ahead_.x) * perWidth_;
-  const float trunk = std::max(0.0F, 1.0F - along * along - aside * aside);
-  float light = 1.0F - trunkStrength_ * trunk * std::sqrt(trunk);
-  for (const Foot& foot : feet_) {
-    const float off = (square(x - foot.at.x) + square(z - foot.at.y)) / square(footReach_);
-    if (off < 1.0F) light *= 1.0F - foot.strength * square(1.0F - off);
-  }
-  return 1.0F - light;
 }
 
 }  // namespace grove::objects::herd

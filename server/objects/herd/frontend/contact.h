@@ -18,28 +18,23 @@ struct Ground {
   [[nodiscard]] world::Vec3 below(world::Vec3 at) const noexcept { return {at.x, at.y - height.at(at), at.z}; }
 };
 
-/// Dimness of the ground below an animal, whose body hides the sky.
-class Contact {
- public:
-  Contact(const AnimalPose& pose, float size, const Ground& ground);
-
-  /// Metres from the trunk's middle within which it is not zero.
-  [[nodiscard]] float radius() const noexcept { return radius_; }
-  /// The hidden share of the sky at a point of the ground, 0..1; `x` and `z` are relative to the animal's place.
-  [[nodiscard]] float at(float x, float z) const noexcept;
-
- private:
+/// Dimness of the ground below an animal, whose body hides the sky: an ellipse below the trunk, and a small disc around
+/// each hoof. Plain data for the kernel that draws it. Horizontal places (x, z) are relative to the animal's.
+struct Contact {
   struct Foot {
     world::Vec2 at{0.0F};
-    float strength = 0.0F;
+    float strength = 0.0F;  ///< hidden share of the sky at its middle
   };
-  world::Vec2 ahead_;
-  float perLength_;
-  float perWidth_;
-  float trunkStrength_;
-  float footReach_;
-  float radius_;
-  std::array<Foot, kLegs> feet_;
+
+  Contact(const AnimalPose& pose, float size, const Ground& ground);
+
+  world::Vec2 ahead;    ///< unit vector along the trunk
+  float perLength;      ///< 1 / half the ellipse's length in metres
+  float perWidth;       ///< the same, across
+  float trunkStrength;  ///< hidden share of the sky at the middle
+  float footReach;      ///< radius of the discs, metres
+  float radius;         ///< metres from the animal's place within which anything is hidden
+  std::array<Foot, kLegs> feet;
 };
 
 }  // namespace grove::objects::herd

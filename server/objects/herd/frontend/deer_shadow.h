@@ -32,14 +32,13 @@ class DeerShadow {
   void draw(const world::Camera& camera, const raster::Image* body, raster::Image& frame) const;
 
  private:
-  void drawRow(const PixelRays& rays, const world::Rect& row, const raster::Image* body, raster::Image& frame) const;
   Ground ground_;
   world::Vec3 place_;
-  world::Vec3 away_;  ///< horizontal unit vector from the sun
+  world::Vec2 away_;  ///< horizontal unit vector from the sun
   float sunStrength_;
-  SunMask mask_;
   Contact contact_;
   ScreenHull hull_;
+  SunMask mask_;
 };
 
 }  // namespace grove::objects::herd

@@ -45,6 +45,9 @@ ScreenBox nearBox(std::span<const Vec3> corners, const world::Camera& camera) {
   return box;
 }
 
+/// Positive if the way from a over b to c turns to one side, negative if to the other.
+float turn(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x); }
+
 }  // namespace
 
 ScreenHull::ScreenHull(std::span<const Vec3> corners, const world::Camera& camera, const world::Rect& within) {
@@ -71,14 +74,24 @@ ScreenHull::ScreenHull(std::span<const Vec3> corners, const world::Camera& camer
            pixel(all.high.x + 1.0F, within.left, within.right), pixel(all.high.y + 1.0F, within.top, within.bottom)};
   if (rect_.empty()) return;
   rows_.assign(static_cast<std::size_t>(rect_.height()), {rect_.right, rect_.left});
-  // Lines between all corners have the same ends in each row as the hull.
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = i + 1; j < count; ++j) addEdge(points[i], points[j]);
+  const std::span<Vec2> used(points.data(), count);
+  std::ranges::sort(used, [](Vec2 a, Vec2 b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
+  addSide(used, 1.0F);
+  addSide(used, -1.0F);
+}
+
+void ScreenHull::addSide(std::span<const Vec2> downwards, float side) {
+  std::array<Vec2, kMostCorners + 4> outer;
+  std::size_t count = 0;
+  for (const Vec2 point : downwards) {
+    while (count > 1 && side * turn(outer[count - 2], outer[count - 1], point) <= 0.0F) --count;
+    outer[count++] = point;
   }
+  if (count == 1) addEdge(outer[0], outer[0]);
+  for (std::size_t i = 1; i < count; ++i) addEdge(outer[i - 1], outer[i]);
 }
 
 void ScreenHull::addEdge(Vec2 a, Vec2 b) {
-  if (a.y > b.y) std::swap(a, b);
   const float slope = (b.x - a.x) / std::max(b.y - a.y, 1.0e-4F);
   const int bottom = pixel(b.y + 1.0F, rect_.top, rect_.bottom);
   for (int y = pixel(a.y, rect_.top, rect_.bottom); y < bottom; ++y) {

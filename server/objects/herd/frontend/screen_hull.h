@@ -23,6 +23,9 @@ class ScreenHull {
   [[nodiscard]] raster::Span row(int y) const noexcept { return rows_[static_cast<std::size_t>(y - rect_.top)]; }
 
  private:
+  /// Adds the edges of one side of the hull; `side`: 1 or -1. `downwards`: all points, in that order.
+  void addSide(std::span<const world::Vec2> downwards, float side);
+  /// `b` is not above `a`.
   void addEdge(world::Vec2 a, world::Vec2 b);
 
   world::Rect rect_;

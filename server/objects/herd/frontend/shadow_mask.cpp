@@ -1,7 +1,6 @@
 #include "objects/herd/frontend/shadow_mask.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace grove::objects::herd {
 namespace {
@@ -32,36 +31,33 @@ SunMask::SunMask(std::span<const Capsule> casters, Vec3 sun, Vec3 ground) {
     add(each.from, each.fromRadius);
     add(each.to, each.toRadius);
   }
-  scale_ = (static_cast<float>(kSide) - 2.0F * kMargin) / std::max({high.x - low.x, high.y - low.y, 0.1F});
-  column_ = {scale_ * across, kMargin - scale_ * low.x};
-  line_ = {scale_ * upward, kMargin - scale_ * low.y};
+  const float scale = (static_cast<float>(kSide) - 2.0F * kMargin) / std::max({high.x - low.x, high.y - low.y, 0.1F});
+  column_ = {scale * across, kMargin - scale * low.x};
+  line_ = {scale * upward, kMargin - scale * low.y};
+  const auto placeOf = [&](Vec3 point) { return Vec2(column_.at(point), line_.at(point)); };
+  std::array<float, kMaskFloats> cover{};
   for (const Capsule& each : casters) {
     const float height = std::max(0.0F, 0.5F * (each.from.y + each.to.y) - ground.y);
-    this->add(each, kSoftness * height / std::max(sun.y, kLowestSun));
+    const Vec2 from = placeOf(each.from);
+    const float soft = kSoftness * height / std::max(sun.y, kLowestSun);
+    coverCapsule({from, placeOf(each.to) - from, scale * each.fromRadius, scale * each.toRadius,
+                  std::max(kLeastSoft, scale * soft)},
+                 cover.data());
   }
+  packFours(cover.data(), texels_.data());
 }
 
-void SunMask::add(const Capsule& caster, float softMetres) {
-  const Vec2 from = placeOf(caster.from);
-  const Vec2 way = placeOf(caster.to) - from;
-  const float square = std::max(glm::dot(way, way), 1.0e-6F);
-  const float soft = std::max(kLeastSoft, softMetres * scale_);
-  const float fromRadius = caster.fromRadius * scale_;
-  const float toRadius = caster.toRadius * scale_;
-  const float margin = std::max(fromRadius, toRadius) + soft;
-  const auto texel = [](float value) { return std::clamp(static_cast<int>(std::floor(value)), 0, kSide - 1); };
-  const int bottom = texel(std::max(from.y, from.y + way.y) + margin);
-  const int right = texel(std::max(from.x, from.x + way.x) + margin);
-  for (int y = texel(std::min(from.y, from.y + way.y) - margin); y <= bottom; ++y) {
-    for (int x = texel(std::min(from.x, from.x + way.x) - margin); x <= right; ++x) {
-      const Vec2 off = Vec2(static_cast<float>(x), static_cast<float>(y)) - from;
-      const float share = std::clamp(glm::dot(off, way) / square, 0.0F, 1.0F);
-      const float inside = glm::mix(fromRadius, toRadius, share) - glm::length(off - share * way);
-      const float cover = std::clamp(0.5F + 0.5F * inside / soft, 0.0F, 1.0F);
-      std::uint8_t& out = texels_[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)];
-      out = std::max(out, static_cast<std::uint8_t>(cover * 255.0F));
-    }
-  }
+float SunMask::at(float column, float line) const noexcept {
+  constexpr auto kLast = static_cast<float>(kSide - 1);
+  if (!(column >= 0.0F && line >= 0.0F && column < kLast && line < kLast)) return 0.0F;
+  const auto x = static_cast<int>(column);
+  const auto y = static_cast<int>(line);
+  const std::uint32_t four = texels_[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)];
+  const auto cover = [&](unsigned of) { return static_cast<float>(four >> 8U * of & 0xFFU); };
+  const float right = column - static_cast<float>(x);
+  const float above = glm::mix(cover(0), cover(1), right);
+  const float below = glm::mix(cover(2), cover(3), right);
+  return glm::mix(above, below, line - static_cast<float>(y)) * (1.0F / 255.0F);
 }
 
 }  // namespace grove::objects::herd
