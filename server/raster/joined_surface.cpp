@@ -103,6 +103,7 @@ Surface joined(std::span<const Surface> parts) {
   for (const Surface& part : parts) {
     all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
     all.weathered = all.weathered || part.weathered;
+    all.marked = all.marked || part.marked;
     all.gloss = std::max(all.gloss, part.gloss);
   }
   all.levels = thinned(levelsOf(parts));

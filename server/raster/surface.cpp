@@ -111,6 +111,7 @@ float halvingError(const std::vector<Vertex>& vertices, const Level& coarse, con
 void Surface::append(const Surface& other, const world::Mat4& matrix) {
   if (levels.empty()) levels.resize(other.levels.size());
   weathered = weathered || other.weathered;
+  marked = marked || other.marked;
   gloss = std::max(gloss, other.gloss);
   assert(levels.size() == other.levels.size());
   const auto first = static_cast<std::uint32_t>(vertices.size());

@@ -33,7 +33,11 @@ VertexArrays::VertexArrays(const LitSurface& object) {
     indirectB.push_back(light.w);
   }
   assert(bones <= kMaxBones);
-  for (const Level& level : object.surface.levels) edges.push_back(edgesOf(level.triangles));
+  for (const Level& level : object.surface.levels) {
+    edges.push_back(edgesOf(level.triangles));
+    if (!object.surface.marked) continue;
+    std::erase_if(edges.back(), [](const SurfaceEdge& edge) { return edge.right == SurfaceEdge::kNone; });
+  }
 }
 
 std::size_t VertexArrays::bytes() const noexcept {

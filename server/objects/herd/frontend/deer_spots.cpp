@@ -21,6 +21,10 @@ constexpr float kSpotLift = 0.004F;
 constexpr float kSpotEdge = 0.28F;
 /// Metres by which the deer differs without them, as far as one looks: their size is that of a few pixels then.
 constexpr float kWithoutSpots = 0.022F;
+/// The same with spots of two triangles, which are as bright as those of six, and nearly as large.
+constexpr float kPlainSpots = 0.006F;
+constexpr float kPlainShare = 0.56F;
+constexpr float kPlainSize = 1.06F;
 
 /// Irregular, the same each time: -1..1.
 float shift(int number) {
@@ -28,32 +32,40 @@ float shift(int number) {
   return 2.0F * (wave - std::floor(wave)) - 1.0F;
 }
 
-/// Adds a hexagon that lies on the skin.
+/// Adds a spot that lies on the skin: a hexagon, and a rhombus for the coarser level.
 void addSpot(Surface& spots, const Build& build, float z, float angle, float radius) {
-  const Vertex middle = skinAt(build, z, angle);
+  Vertex middle = skinAt(build, z, angle);
   const Vec3 along = glm::normalize(Vec3(0, 0, 1) - middle.normal.z * middle.normal);
   const Vec3 across = glm::cross(middle.normal, along);
-  const auto first = static_cast<std::uint32_t>(spots.vertices.size());
-  Vertex centre = middle;
-  centre.position += kSpotLift * middle.normal;
-  centre.albedo = glm::mix(kChestnut, kWhiteCoat, build.spots);
-  spots.vertices.push_back(centre);
+  middle.position += kSpotLift * middle.normal;
+  const auto add = [&](Vec3 off, float white) {
+    spots.vertices.push_back(middle);
+    spots.vertices.back().position += off;
+    spots.vertices.back().albedo = glm::mix(kChestnut, kWhiteCoat, white * build.spots);
+    return static_cast<std::uint32_t>(spots.vertices.size() - 1);
+  };
+  const auto onEdge = [&](float turn, float size) {
+    return size * radius * (1.25F * std::cos(turn) * along + std::sin(turn) * across);
+  };
   constexpr std::uint32_t kCorners = 6;
+  constexpr float kTurn = 1.0471976F;
+  const std::uint32_t centre = add(Vec3(0.0F), 1.0F);
   for (std::uint32_t corner = 0; corner < kCorners; ++corner) {
-    const float turn = 1.0471976F * static_cast<float>(corner);
-    Vertex vertex = centre;
-    vertex.position += radius * (1.25F * std::cos(turn) * along + std::sin(turn) * across);
-    vertex.albedo = glm::mix(kChestnut, kWhiteCoat, kSpotEdge * build.spots);
-    spots.vertices.push_back(vertex);
-    spots.levels.back().triangles.push_back({first, first + 1 + corner, first + 1 + (corner + 1) % kCorners});
+    add(onEdge(kTurn * static_cast<float>(corner), 1.0F), kSpotEdge);
+    spots.levels.back().triangles.push_back({centre, centre + 1 + corner, centre + 1 + (corner + 1) % kCorners});
   }
+  const std::uint32_t first = add(onEdge(0.0F, kPlainSize), kPlainShare);
+  for (const float corner : {1.5F, 3.0F, 4.5F}) add(onEdge(kTurn * corner, kPlainSize), kPlainShare);
+  spots.levels[1].triangles.push_back({first, first + 1, first + 2});
+  spots.levels[1].triangles.push_back({first, first + 2, first + 3});
 }
 
 }  // namespace
 
 Surface makeSpots(const Build& build, bool isChest) {
   Surface spots;
-  spots.levels = {{{}, kWithoutSpots, 0}, {}};
+  spots.marked = true;
+  spots.levels = {{{}, kWithoutSpots, 0}, {{}, kPlainSpots, 0}, {}};
   for (int row = 0; row < kSpotRows; ++row) {
     for (int i = 0; i < kSpotsOfRow; ++i) {
       const int number = row * kSpotsOfRow + i;
@@ -68,7 +80,7 @@ Surface makeSpots(const Build& build, bool isChest) {
       addSpot(spots, build, z, -angle, radius);
     }
   }
-  spots.levels.back().vertexCount = spots.vertices.size();
+  for (const std::size_t level : {1U, 2U}) spots.levels[level].vertexCount = spots.vertices.size();
   return spots;
 }
 

@@ -67,7 +67,7 @@ void HerdLayer::makePart(std::size_t part) {
   drawing.camera = &view_.camera;
   drawing.sky = &sky_;
   drawing.rect = each.rect;
-  drawing.distance = each.distance / animal.size;
+  drawing.distance = painter_.coarseness() * each.distance / animal.size;
   std::ranges::copy(bonesOf(each.pose, animal.size), drawing.bones.begin());
   drawing.sunShare = animal.sunShare;
   drawing.lamps = raster::chooseLamps(view_.lights, each.bounds);

@@ -1,9 +1,11 @@
 #include "objects/herd/frontend/herd_painter.h"
 
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <span>
 
+#include "node/load_shedding.h"
 #include "objects/herd/common/herd_name.h"
 #include "objects/herd/frontend/deer_shape.h"
 
@@ -15,12 +17,19 @@ std::size_t bytesOf(const std::array<raster::LitSurface, kKinds>& deer) {
                                [](const raster::LitSurface& each) { return each.bytes(); });
 }
 
+/// A deer's parts hide most of each other's errors, and its coat what remains: pictures with errors of so many pixels
+/// cannot be told from those of the finest level at 8 m and more.
+constexpr float kAlways = 1.35F;
+
 }  // namespace
 
 HerdPainter::HerdPainter(const node::FrontendTools& tools)
-    : deer_{makeDeer(Kind::kDoe), makeDeer(Kind::kBuck), makeDeer(Kind::kFawn)},
+    : workers_(tools.workers),
+      deer_{makeDeer(Kind::kDoe), makeDeer(Kind::kBuck), makeDeer(Kind::kFawn)},
       renderer_(tools.images, {tools.memory, kTypeName}),
       held_(tools.memory, "surfaces", kTypeName, pipeline::Work::kAcrossUser, bytesOf(deer_)) {}
+
+float HerdPainter::coarseness() const { return kAlways * std::sqrt(node::errorFactor(workers_.busyShare())); }
 
 std::shared_ptr<const raster::Image> HerdPainter::paint(const raster::Drawing& drawing) {
   std::shared_ptr<raster::Image> image;

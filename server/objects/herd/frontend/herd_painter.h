@@ -14,10 +14,13 @@ class HerdPainter {
   explicit HerdPainter(const node::FrontendTools& tools);
 
   [[nodiscard]] const raster::LitSurface& surfaceOf(Kind kind) const { return deer_[static_cast<std::size_t>(kind)]; }
+  /// The factor for the permitted errors of pictures, more than 1: a busy machine draws coarser deer.
+  [[nodiscard]] float coarseness() const;
   /// Null if the drawing's rectangle is empty.
   [[nodiscard]] std::shared_ptr<const raster::Image> paint(const raster::Drawing& drawing);
 
  private:
+  const pipeline::Executor& workers_;
   const std::array<raster::LitSurface, kKinds> deer_;
   raster::SimdMeshRenderer renderer_;
   const pipeline::HeldMemory held_;
