@@ -60,13 +60,20 @@ void Outline::addSilhouettes(const ScreenSurface& surface) {
     }
     return;
   }
-  isFront_.resize(triangles.size());
+  // A missing triangle is none in front.
+  const auto none = static_cast<std::uint32_t>(triangles.size());
+  isFront_.resize(triangles.size() + 1);
+  isFront_[none] = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) isFront_[i] = isFront(triangles[i], corners) ? 1 : 0;
   for (const SurfaceEdge& edge : surface.edges()) {
-    const bool left = isFront_[edge.left] != 0;
-    const bool right = edge.right != SurfaceEdge::kNone && isFront_[edge.right] != 0;
-    if (left && !right) add(edge.from, edge.to);
-    if (right && !left) add(edge.to, edge.from);
+    const std::uint8_t left = isFront_[edge.left];
+    // One branch, which nearly all edges take: whether they are in front is as random as a coin.
+    if (left == isFront_[std::min(edge.right, none)]) continue;
+    if (left != 0) {
+      add(edge.from, edge.to);
+    } else {
+      add(edge.to, edge.from);
+    }
   }
 }
 

@@ -32,7 +32,7 @@ float shift(int number) {
   return 2.0F * (wave - std::floor(wave)) - 1.0F;
 }
 
-/// Adds a spot that lies on the skin: a hexagon, and a rhombus for the coarser level.
+/// Adds a spot that lies on the skin: a hexagon, and a rectangle for the coarser level.
 void addSpot(Surface& spots, const Build& build, float z, float angle, float radius) {
   Vertex middle = skinAt(build, z, angle);
   const Vec3 along = glm::normalize(Vec3(0, 0, 1) - middle.normal.z * middle.normal);
@@ -54,8 +54,8 @@ void addSpot(Surface& spots, const Build& build, float z, float angle, float rad
     add(onEdge(kTurn * static_cast<float>(corner), 1.0F), kSpotEdge);
     spots.levels.back().triangles.push_back({centre, centre + 1 + corner, centre + 1 + (corner + 1) % kCorners});
   }
-  const std::uint32_t first = add(onEdge(0.0F, kPlainSize), kPlainShare);
-  for (const float corner : {1.5F, 3.0F, 4.5F}) add(onEdge(kTurn * corner, kPlainSize), kPlainShare);
+  const std::uint32_t first = add(onEdge(0.75F * kTurn, kPlainSize), kPlainShare);
+  for (const float corner : {2.25F, 3.75F, 5.25F}) add(onEdge(kTurn * corner, kPlainSize), kPlainShare);
   spots.levels[1].triangles.push_back({first, first + 1, first + 2});
   spots.levels[1].triangles.push_back({first, first + 2, first + 3});
 }

@@ -17,9 +17,9 @@ std::size_t bytesOf(const std::array<raster::LitSurface, kKinds>& deer) {
                                [](const raster::LitSurface& each) { return each.bytes(); });
 }
 
-/// A deer's parts hide most of each other's errors, and its coat what remains: pictures with errors of so many pixels
-/// cannot be told from those of the finest level at 8 m and more.
-constexpr float kAlways = 1.35F;
+/// A deer's parts hide most of each other's errors, and its coat what remains: in motion, nobody can tell pictures with
+/// so many pixels of error from those of the finest level.
+constexpr float kAlways = 1.5F;
 
 }  // namespace
 
