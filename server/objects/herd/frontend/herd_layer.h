@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "node/frontend/compositing/layer.h"
-#include "objects/herd/frontend/deer_shadow.h"
 #include "objects/herd/frontend/herd_painter.h"
+#include "objects/herd/frontend/shadow/deer_shadow.h"
 
 namespace grove::objects::herd {
 

@@ -7,7 +7,7 @@
 
 #include "node/load_shedding.h"
 #include "objects/herd/common/herd_name.h"
-#include "objects/herd/frontend/deer_shape.h"
+#include "objects/herd/frontend/body/deer_shape.h"
 
 namespace grove::objects::herd {
 namespace {

@@ -1,4 +1,4 @@
-#include "objects/herd/frontend/deer_shape.h"
+#include "objects/herd/frontend/body/deer_shape.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "objects/herd/common/deer_skeleton.h"
-#include "objects/herd/frontend/deer_coat.h"
+#include "objects/herd/frontend/body/deer_coat.h"
 #include "raster/surface.h"
 
 /// The parts of a deer's body, each a closed surface in the rest position that follows one bone. Those of neighbouring

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 
-#include "objects/herd/frontend/affine.h"
-#include "objects/herd/frontend/contact.h"
-#include "objects/herd/frontend/screen_hull.h"
-#include "objects/herd/frontend/shadow_mask.h"
+#include "objects/herd/frontend/shadow/affine.h"
+#include "objects/herd/frontend/shadow/contact.h"
+#include "objects/herd/frontend/shadow/screen_hull.h"
+#include "objects/herd/frontend/shadow/shadow_mask.h"
 #include "raster/image.h"
 #include "world/sky.h"
 

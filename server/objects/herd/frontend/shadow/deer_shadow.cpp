@@ -1,8 +1,8 @@
-#include "objects/herd/frontend/deer_shadow.h"
+#include "objects/herd/frontend/shadow/deer_shadow.h"
 
 #include <algorithm>
 
-#include "objects/herd/frontend/deer_shadow_kernels.h"
+#include "objects/herd/frontend/shadow/deer_shadow_kernels.h"
 #include "world/ground/ground_shadow.h"
 
 namespace grove::objects::herd {

@@ -1,4 +1,4 @@
-#include "objects/herd/frontend/deer_shadow_kernels.h"
+#include "objects/herd/frontend/shadow/deer_shadow_kernels.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "each_target.h"
 #include "objects/herd/common/deer_skeleton.h"
-#include "objects/herd/frontend/capsules.h"
-#include "objects/herd/frontend/shadow_mask.h"
+#include "objects/herd/frontend/shadow/capsules.h"
+#include "objects/herd/frontend/shadow/shadow_mask.h"
 #include "objects/herd/poses.h"
 #include "world/camera.h"
 #include "world/ground/ground_shadow.h"

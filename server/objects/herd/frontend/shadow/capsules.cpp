@@ -1,4 +1,4 @@
-#include "objects/herd/frontend/capsules.h"
+#include "objects/herd/frontend/shadow/capsules.h"
 
 namespace grove::objects::herd {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "objects/herd/common/animal_pose.h"
-#include "objects/herd/frontend/affine.h"
+#include "objects/herd/frontend/shadow/affine.h"
 
 namespace grove::objects::herd {
 

@@ -1,10 +1,10 @@
-#include "objects/herd/frontend/shadow_mask_kernels.h"
+#include "objects/herd/frontend/shadow/shadow_mask_kernels.h"
 
 #include <algorithm>
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "objects/herd/frontend/shadow_mask_kernels.cpp"
+#define HWY_TARGET_INCLUDE "objects/herd/frontend/shadow/shadow_mask_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,4 +1,4 @@
-#include "objects/herd/frontend/screen_hull.h"
+#include "objects/herd/frontend/shadow/screen_hull.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "objects/herd/frontend/deer_shadow.h"
+#include "objects/herd/frontend/shadow/deer_shadow.h"
 
 #include <gtest/gtest.h>
 

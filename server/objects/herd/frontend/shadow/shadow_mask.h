@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include "objects/herd/frontend/affine.h"
-#include "objects/herd/frontend/capsules.h"
-#include "objects/herd/frontend/shadow_mask_kernels.h"
+#include "objects/herd/frontend/shadow/affine.h"
+#include "objects/herd/frontend/shadow/capsules.h"
+#include "objects/herd/frontend/shadow/shadow_mask_kernels.h"
 
 namespace grove::objects::herd {
 

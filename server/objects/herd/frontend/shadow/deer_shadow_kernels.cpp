@@ -1,15 +1,15 @@
-#include "objects/herd/frontend/deer_shadow_kernels.h"
+#include "objects/herd/frontend/shadow/deer_shadow_kernels.h"
 
 #include <algorithm>
 #include <array>
 
 #include "objects/herd/common/deer_skeleton.h"
-#include "objects/herd/frontend/shadow_mask.h"
+#include "objects/herd/frontend/shadow/shadow_mask.h"
 #include "world/camera.h"
 #include "world/ground/ground_shadow.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "objects/herd/frontend/deer_shadow_kernels.cpp"
+#define HWY_TARGET_INCLUDE "objects/herd/frontend/shadow/deer_shadow_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,11 +1,11 @@
-#include "objects/herd/frontend/deer_shape.h"
+#include "objects/herd/frontend/body/deer_shape.h"
 
 #include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "objects/herd/frontend/deer_parts.h"
+#include "objects/herd/frontend/body/deer_parts.h"
 #include "raster/joined_surface.h"
 
 namespace grove::objects::herd {

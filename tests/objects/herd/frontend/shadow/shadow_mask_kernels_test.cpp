@@ -1,4 +1,4 @@
-#include "objects/herd/frontend/shadow_mask_kernels.h"
+#include "objects/herd/frontend/shadow/shadow_mask_kernels.h"
 
 #include <gtest/gtest.h>
 

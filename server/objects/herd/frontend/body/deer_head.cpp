@@ -1,7 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include "objects/herd/frontend/deer_parts.h"
+#include "objects/herd/frontend/body/deer_parts.h"
 
 namespace grove::objects::herd {
 namespace {

@@ -1,4 +1,4 @@
-#include "objects/herd/frontend/contact.h"
+#include "objects/herd/frontend/shadow/contact.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "objects/herd/frontend/affine.h"
-#include "objects/herd/frontend/contact.h"
+#include "objects/herd/frontend/shadow/affine.h"
+#include "objects/herd/frontend/shadow/contact.h"
 
 namespace grove::objects::herd {
 

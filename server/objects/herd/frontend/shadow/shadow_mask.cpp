@@ -1,4 +1,4 @@
-#include "objects/herd/frontend/shadow_mask.h"
+#include "objects/herd/frontend/shadow/shadow_mask.h"
 
 #include <algorithm>
 
