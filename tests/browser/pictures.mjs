@@ -93,6 +93,7 @@ try {
   await takeFrom(browser, [10, 18, 33], 'stones');
   await takeFrom(browser, [0, 14, 180], 'forest');
   await takeFrom(browser, [2, 1.5, 50], 'fire');
+  await takeFrom(browser, [-2.6, 6.9, 43], 'herd');
 } finally {
   await browser.close();
   await server.end();
