@@ -17,8 +17,8 @@ std::size_t bytesOf(const std::array<raster::LitSurface, kKinds>& deer) {
                                [](const raster::LitSurface& each) { return each.bytes(); });
 }
 
-/// A deer's parts hide most of each other's errors, and its coat what remains: in motion, nobody can tell pictures with
-/// so many pixels of error from those of the finest level.
+/// Pixels by which a deer's level of detail may be off. Its parts hide most of each other's errors, and its coat hides
+/// what remains.
 constexpr float kAlways = 1.5F;
 
 }  // namespace

@@ -25,8 +25,8 @@ class SunMask {
   [[nodiscard]] const Affine& column() const noexcept { return column_; }
   [[nodiscard]] const Affine& line() const noexcept { return line_; }
 
-  /// For a kernel: for each place, row by row, four texels in a word: from the low byte on, its own, the next in its
-  /// row, and the two below. 255: hides all.
+  /// For a kernel: for each place, row by row, the bytes of four texels, lowest first: its own, the next in its row,
+  /// and the two below. 255: hides all.
   [[nodiscard]] const std::uint32_t* texels() const noexcept { return texels_.data(); }
 
   /// Returns the hidden share of the sun at a place, 0..1: for points that are not between sun and casters.
