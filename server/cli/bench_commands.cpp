@@ -177,7 +177,7 @@ void BenchCommands::addView() {
   addNumber(*view, "--visitors", options.visitors, 1, kMaxStandingVisitors, "With --stand: number of visitors")
       ->needs(stand);
   CLI::Option* exact =
-      view->add_flag("--exact", options.exact, "Compare what a busy server shows with exact pictures, without fluids")
+      view->add_flag("--exact", options.exact, "Compare what a busy server shows with exact pictures, without fluids and herds")
           ->excludes(stand);
   addNumber(*view, "--busy", options.shed.busyShare, 0.0, 1.0, "With --exact: share of busy workers")->needs(exact);
   addNumber(*view, "--lines", options.shed.lines, 90, 1080, "With --exact: height of the server's pictures")

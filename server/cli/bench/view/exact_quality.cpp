@@ -21,8 +21,9 @@ struct Sample {
   std::vector<std::uint32_t> pixels;
 };
 
-world::Scene withoutFluids(world::Scene scene) {
-  std::erase_if(scene.objects, [](const world::ObjectDescription& object) { return object.type == "fluid"; });
+world::Scene withoutMovement(world::Scene scene) {
+  std::erase_if(scene.objects,
+                [](const world::ObjectDescription& object) { return object.type == "fluid" || object.type == "herd"; });
   return scene;
 }
 
@@ -38,7 +39,7 @@ std::optional<ExactQuality> measureExactQuality(const world::Scene& scene, const
                                                 const PictureSize& size, const Shed& shed,
                                                 const std::function<void(std::string_view, float)>& progress,
                                                 const std::stop_token& stop) {
-  const world::Scene still = withoutFluids(scene);
+  const world::Scene still = withoutMovement(scene);
   const PictureSize shown = inLines(size, shed.lines);
   std::vector<Sample> samples;
   {

@@ -30,10 +30,10 @@ node::FramePolicy drawEverything() {
   return policy;
 }
 
-/// Without the fluid, which moves between two frames.
+/// Without what moves by itself: it is elsewhere in the other world.
 world::Scene grove() {
   world::Scene scene = openScene(std::nullopt);
-  std::erase_if(scene.objects, [](const auto& object) { return object.type == "fluid"; });
+  std::erase_if(scene.objects, [](const auto& object) { return object.type == "fluid" || object.type == "herd"; });
   return scene;
 }
 
