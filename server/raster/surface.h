@@ -35,7 +35,7 @@ struct Surface {
   std::vector<Vertex> vertices;
   std::vector<Level> levels;  ///< coarse to fine, at least one
   bool weathered = false;     ///< has the procedural detail of rock
-  bool marked = false;        ///< its open parts are marks on closed ones, whose edges are never its outline
+  bool marked = false;        ///< has open parts that lie on closed ones; their edges are not part of its outline
   float gloss = 0.0F;         ///< how much of sun and surroundings it mirrors: 0 dull, 1 as moist stone
 
   /// Adds a transformed copy of `other`. Both have the same number of levels, or one of them is empty.

@@ -67,7 +67,7 @@ void Outline::addSilhouettes(const ScreenSurface& surface) {
   for (std::size_t i = 0; i < triangles.size(); ++i) isFront_[i] = isFront(triangles[i], corners) ? 1 : 0;
   for (const SurfaceEdge& edge : surface.edges()) {
     const std::uint8_t left = isFront_[edge.left];
-    // One branch, which nearly all edges take: whether they are in front is as random as a coin.
+    // One predictable branch: most edges have both triangles on the same side, but which side is unpredictable.
     if (left == isFront_[std::min(edge.right, none)]) continue;
     if (left != 0) {
       add(edge.from, edge.to);

@@ -6,8 +6,8 @@
 namespace grove::raster {
 namespace {
 
-/// Edges without a triangle to the right, in a list for each vertex that they come from. Lists are short, which makes
-/// them several times faster than a map of all.
+/// Edges without a triangle to the right, in one list per start vertex. Lists are short, so searching them is several
+/// times faster than one map of all edges.
 class OpenEdges {
  public:
   explicit OpenEdges(std::span<const Triangle> triangles) {
@@ -26,7 +26,7 @@ class OpenEdges {
     newest_[edge.from] = index;
   }
 
-  /// Returns the edge between two vertices, which is no longer open then; kNone if there is none.
+  /// Removes and returns the open edge between two vertices; returns kNone if there is none.
   [[nodiscard]] std::uint32_t take(const std::vector<SurfaceEdge>& edges, std::uint32_t from, std::uint32_t to) {
     std::uint32_t* const place = find(edges, from, to);
     return *place == kNone ? kNone : std::exchange(*place, older_[*place]);

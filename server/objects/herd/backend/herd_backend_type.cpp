@@ -16,8 +16,8 @@ constexpr int kMaxVariants = 64;
 }  // namespace
 
 world::Bounds HerdModel::bounds() const {
-  const float half = settings_.range + kChase + kReach;
-  const float high = world::kMaxGroundHeight + kTallest;
+  const float half = settings_.range + kChase + kLargest * kReach;
+  const float high = world::kMaxGroundHeight + kLargest * kTallest;
   return {world::Vec3(-half, 0.0F, -half), world::Vec3(half, high, half)};
 }
 

@@ -21,7 +21,7 @@ constexpr LegBones kHindLeg{0.31F, 0.32F, 0.32F, 1.0F, -0.40F, 2.4F};
 constexpr float kBladeShare = 0.40F;
 constexpr float kBladeMost = 0.11F;
 
-/// The trunk's two halves and its frame, in the world.
+/// Matrices of the trunk's two halves.
 struct Trunk {
   Mat4 pelvis;
   Mat4 chest;
@@ -46,7 +46,7 @@ Trunk trunkOf(const AnimalPose& pose, float size) {
   return {rotatedAt(trunk, middle, -0.5F * posture.bend, kUp), rotatedAt(trunk, middle, 0.5F * posture.bend, kUp)};
 }
 
-/// From the rest position of a neck of which each half bends as much as the other.
+/// Returns the matrices of the neck's lower half, its upper half and the head. Both halves bend equally.
 std::array<Mat4, 3> neckAndHead(const Trunk& trunk, const AnimalPose& pose) {
   const Posture& posture = pose.posture;
   const Vec3 joint = kNeckRoot - kLowerNeckLength * kBack;
@@ -65,7 +65,8 @@ std::array<Mat4, 3> neckAndHead(const Trunk& trunk, const AnimalPose& pose) {
   return {lower, upper, head};
 }
 
-/// Takes the bone that hangs down from `rest` in the rest position to the place between two points.
+/// Returns the matrix that moves a bone from its rest position, hanging down from `rest`, to the line between two
+/// points.
 Mat4 hungBetween(Vec3 rest, Vec3 from, Vec3 to, Vec3 forward, float size) {
   const Vec3 up = glm::normalize(from - to);
   const Vec3 right = glm::normalize(glm::cross(forward, up));

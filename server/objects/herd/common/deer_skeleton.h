@@ -46,7 +46,9 @@ inline constexpr world::Vec3 kLeftEarRoot{-0.055F, 0.075F, 0.02F};  ///< from th
 /// The legs of a pose in the world.
 [[nodiscard]] std::array<LegChain, kLegs> legsOf(const AnimalPose& pose, float size);
 
-/// Height that every pose stays below, and the most metres of a pose from `place` sideways.
+/// Size of the largest animal.
+inline constexpr float kLargest = 1.12F;
+/// Largest height of a pose, and its largest horizontal distance from `place`, for an animal of size 1. Metres.
 inline constexpr float kTallest = 1.90F;
 inline constexpr float kReach = 1.50F;
 

@@ -11,7 +11,7 @@ using world::Vec3;
 /// A leg is never quite straight: a straight one would snap.
 constexpr float kLongest = 0.998F;
 
-/// Middle joint of two bones between two points that they reach.
+/// Returns the joint of two bones whose other ends are at `from` and `to`.
 Vec3 middleJoint(Vec3 from, Vec3 to, float first, float second, Vec3 side) {
   const Vec3 way = to - from;
   const float distance = std::max(glm::length(way), 1.0e-4F);

@@ -45,7 +45,7 @@ class HerdFrontendType final : public node::FrontendType {
   }
 
  private:
-  /// The painter of all visitors, as long as there are any: it needs the tools, which this may outlive.
+  /// Returns the painter that all visitors share. It is freed with the last visitor, because it uses the tools.
   [[nodiscard]] std::shared_ptr<HerdPainter> painterOf(const node::FrontendTools& tools) const {
     const std::lock_guard lock(mutex_);
     std::shared_ptr<HerdPainter> painter = painter_.lock();

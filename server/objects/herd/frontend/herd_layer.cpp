@@ -15,7 +15,7 @@ world::Rect frameOf(const world::Camera& camera) { return {0, 0, camera.width, c
 constexpr float kRoom = 0.06F;
 constexpr float kRoomAroundHead = 0.26F;
 
-/// Of the body in its pose, tighter than what every pose may need.
+/// Returns the bounds of the body in its pose.
 world::Bounds boundsOf(const Capsules& capsules, float size) {
   world::Bounds bounds;
   const auto add = [&](world::Vec3 at, float radius) {

@@ -13,7 +13,7 @@ namespace grove::objects::herd {
 /// The herd in one frame of one visitor: a picture of each animal in sight, and its shadow.
 class HerdLayer final : public node::Layer {
  public:
-  /// Metres from the eye beyond which an animal is too small to be missed.
+  /// Animals farther from the eye are not drawn. Metres.
   static constexpr float kFarthest = 90.0F;
 
   /// `painter`, `sky` and `view` outlive the layer.

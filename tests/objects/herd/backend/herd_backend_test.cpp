@@ -11,11 +11,10 @@
 #include <variant>
 
 #include "eventually.h"
-#include "gl/workers.h"
 #include "node/backend/prepare/load_scene.h"
+#include "node/backend_stand.h"
 #include "objects/herd/backend/herd_backend_type.h"
 #include "objects/herd/common/herd_snapshot.h"
-#include "pipeline/worker_pool.h"
 
 namespace grove::objects::herd {
 namespace {
@@ -33,22 +32,14 @@ node::LoadedScene sceneOf(const std::string& settings) {
 class HerdBackendTest : public ::testing::Test {
  protected:
   node::BackendServices services() {
-    return {.scene = scene_,
-            .geometry = geometry_,
-            .obstacles = geometry_.obstacles(),
-            .world = mirror_,
-            .workers = workers_,
-            .gl = gl_,
-            .timeline = timeline_,
-            .memory = memory_,
-            .images = images_,
-            .announce = [this](const node::Announcement& announcement) { announced_ = announcement.version; },
-            .progress = {}};
+    node::BackendServices services = stand_.services(world_);
+    services.announce = [this](const node::Announcement& announcement) { announced_ = announcement.version; };
+    return services;
   }
 
   node::Payload answerTo(bool shared) {
     node::Request request;
-    request.object = scene_.objects.front().id;
+    request.object = world_.scene.objects.front().id;
     request.shared = shared;
     node::Payload payload;
     backend_.answer({&request, 1}, {&payload, 1});
@@ -65,27 +56,20 @@ class HerdBackendTest : public ::testing::Test {
     update->clock = 1000.0;
     update->players.resize(visitors);
     for (world::Player& player : update->players) player.pose.position = {60.0F, 1.7F, 60.0F};
-    mirror_.apply(1, update);
+    world_.mirror.apply(1, update);
   }
 
-  const node::LoadedScene scene_ = sceneOf("animals = 5\nposition = [1, 0, 2]\n");
-  const world::WorldGeometry geometry_{scene_.objects};
-  node::WorldMirror mirror_;
+  tests::BackendWorld world_{sceneOf("animals = 5\nposition = [1, 0, 2]\n")};
+  tests::BackendStand stand_;
   std::uint64_t updates_ = 0;
   std::atomic<node::Version> announced_ = 0;
-  pipeline::Timeline timeline_;
-  pipeline::MemoryLedger memory_;
-  raster::ImagePool images_;
-  gl::ShaderLibrary shaders_;
-  gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
-  pipeline::WorkerPool workers_{1, "workers", {}, pipeline::WorkerPool::kMeasured};
   HerdBackend backend_{services(), 0};
 };
 
-// Faults: a herd that costs CPU while nobody looks; one that begins anew when somebody comes; ticks that nobody hears
-// of.
+// Faults: a herd that uses CPU without visitors; one that restarts when a visitor arrives; ticks without an
+// announcement.
 TEST_F(HerdBackendTest, SleepsWithoutVisitorsAndResumes) {
-  const auto ticks = [&] { return timeline_.totals()["Motion Graph Tick"].runs; };
+  const auto ticks = [&] { return stand_.timeline.totals()["Motion Graph Tick"].runs; };
   ASSERT_TRUE(eventually([&] { return ticks() >= 60; }));
   std::this_thread::sleep_for(200ms);
   EXPECT_EQ(ticks(), 60U);
@@ -101,7 +85,7 @@ TEST_F(HerdBackendTest, SleepsWithoutVisitorsAndResumes) {
   EXPECT_GE(announced_, awake->version());
   const world::Vec3 before = asleep->animals()[0].now.place;
   EXPECT_LT(glm::distance(before, awake->animals()[0].now.place), 12.0F);
-  EXPECT_EQ(timeline_.totals()["Motion Graph Tick"].failures, 0U);
+  EXPECT_EQ(stand_.timeline.totals()["Motion Graph Tick"].failures, 0U);
 }
 
 // Fault: a request that is answered with something else.

@@ -9,18 +9,18 @@ namespace {
 using world::Vec2;
 
 // Distances of a visitor, metres.
-constexpr float kFlight = 4.5F;          ///< of one who stands still, from which an animal flees
+constexpr float kFlight = 4.5F;          ///< to a standing visitor at which an animal flees
 constexpr float kFlightPerSpeed = 0.9F;  ///< more for each metre per second
 constexpr float kNotice = 10.0F;
 constexpr float kSafe = 14.0F;
-constexpr float kTrusted = 0.45F;  ///< share of these that remains for one who is trusted
+constexpr float kTrusted = 0.45F;  ///< share of these distances for a trusted visitor
 constexpr float kTrustSeconds = 25.0F;
 constexpr float kStill = 0.3F;  ///< metres per second
 
 constexpr float kFlightMetres = 11.0F;
 constexpr int kDirections = 16;
 
-/// Yaw of someone at the first place who faces the second.
+/// Returns the yaw from one place to another.
 float yawTo(Vec2 from, Vec2 to) { return std::atan2(from.x - to.x, from.y - to.y); }
 
 }  // namespace
@@ -68,7 +68,7 @@ void AnimalMind::feel(const Surroundings& around, float seconds) {
       if (moodSeconds_ > patience_) become(Mood::kCalm, dice_.between(5.0F, 9.0F));
       break;
     case Mood::kCalm:
-      // One who has just been watched is not watched again at once.
+      // After watching a visitor, an animal ignores visitors for a while.
       if (isNoticed && moodSeconds_ > patience_) become(Mood::kWatchful, dice_.between(2.5F, 5.0F));
       break;
   }

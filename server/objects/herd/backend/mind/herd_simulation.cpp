@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "objects/herd/common/deer_skeleton.h"
 #include "pipeline/vector_bytes.h"
 
 namespace grove::objects::herd {
@@ -23,13 +24,13 @@ constexpr float kVisitorApart = 3.5F;
 constexpr float kPassing = 0.4F;  ///< metres more by which an animal goes past an obstacle
 constexpr int kFirstPlaces = 12;  ///< that are compared
 constexpr float kElbowRoom = 0.9F;
-/// An animal that its clip leads into an obstacle or another animal is pushed out, metres per tick.
+/// Metres per tick by which an animal is pushed out of an obstacle or another animal.
 constexpr float kPush = 0.02F;
 
 Vec2 placeOf(const Player& visitor) { return {visitor.pose.position.x, visitor.pose.position.z}; }
 
 std::pair<Kind, float> looksOf(std::size_t animal, Dice& dice) {
-  if (animal % 6 == 0) return {Kind::kBuck, dice.between(1.06F, 1.12F)};
+  if (animal % 6 == 0) return {Kind::kBuck, dice.between(1.06F, kLargest)};
   if (animal % 6 == 4) return {Kind::kFawn, dice.between(0.6F, 0.7F)};
   return {Kind::kDoe, dice.between(0.93F, 1.0F)};
 }

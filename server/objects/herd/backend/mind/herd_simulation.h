@@ -39,7 +39,7 @@ class HerdSimulation {
   /// A place in the meadow, apart from the animals that are there.
   [[nodiscard]] world::Vec2 firstPlace();
   [[nodiscard]] Surroundings around(const Actor& actor, std::span<const world::Player> visitors) const;
-  /// What keeps an animal out of obstacles that its way did not avoid, metres.
+  /// Returns the push out of obstacles and other animals, metres.
   [[nodiscard]] world::Vec2 pushFrom(const Actor& actor) const;
   void plan(Actor& actor, const MotionGoal& goal, std::span<const world::Player> visitors);
 

@@ -56,8 +56,8 @@ void findFrom(const MotionDatabase& database, const PoseWindow& from, const std:
   for (const auto& [clip, transition] : best) found.push_back(transition);
 }
 
-/// Drops what is no better than the transition to the same clip from the frame before or after; but keeps some of many
-/// good ones, so that an animal that stands can leave when it wants.
+/// Keeps the local minima over `from` of the transitions to each clip, and some of many good ones: standing animals can
+/// then leave soon.
 std::vector<Transition> localMinima(const MotionDatabase& database, const std::vector<Transition>& found) {
   std::map<std::pair<Frame, std::size_t>, float> costs;
   for (const Transition& one : found) costs[{one.from, database.clipOf(one.to)}] = one.cost;

@@ -26,7 +26,7 @@ struct Transition {
                                    MotionDatabase::Frame i);
 
 /// A motion graph after Kovar, Gleicher and Pighin (2002): clips, and transitions wherever two pieces look alike.
-/// Everything in it leads on for ever, and from each of its clips a way leads to each other. Immutable.
+/// Every frame leads to another, and every clip can reach every other clip. Immutable.
 class MotionGraph {
  public:
   /// Looks for transitions; `database` outlives the graph. Calls `progress` with shares of 0 to 1.

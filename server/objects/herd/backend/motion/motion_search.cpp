@@ -16,14 +16,14 @@ using world::Vec2;
 using Frame = MotionDatabase::Frame;
 
 constexpr float kHorizon = 2.0F;  ///< seconds
-/// Paths are compared as if they went on until then as they end.
+/// Seconds. Shorter paths are extended to this time with their last activity, so that their costs compare.
 constexpr float kCompared = 3.5F;
 constexpr std::size_t kBeam = 8;
 constexpr int kDepth = 4;
 constexpr std::size_t kFrames = static_cast<std::size_t>(kFramesPerSecond);
 /// A transition after this time is only an option if there is no earlier one.
 constexpr float kLatest = 2.6F;
-/// Seconds that a metre of difference costs; of a metre by which a transition's two pieces differ.
+/// Seconds that a blend costs per metre of pose distance.
 constexpr float kCostOfBlend = 3.0F;
 constexpr float kCostOfTurning = 0.7F;  ///< seconds per radian away from the goal
 constexpr float kNearPlace = 0.5F;      ///< metres
@@ -34,7 +34,7 @@ float speedOf(Activity activity) {
   return kSpeeds[static_cast<std::size_t>(activity)];
 }
 
-/// Seconds that something else than the wanted costs, per second. Faster than wanted costs more than it gains.
+/// Penalty per second for another activity than the wanted one, in seconds. A faster gait costs more than it gains.
 float mismatch(Activity wanted, Activity done) {
   if (wanted == done) return 0.0F;
   using enum Activity;

@@ -18,7 +18,7 @@ struct MotionGoal {
   std::optional<float> facing;           ///< yaw in the world to turn to
 };
 
-/// Cost in seconds of being at a place, for one at a time: 0 where nothing is in the way.
+/// Penalty for a place, in seconds; 0 if nothing is in the way.
 using Hindrance = std::function<float(world::Vec2)>;
 
 /// One way on from a frame: the rest of its clip up to a transition, and the transition's blend.

@@ -19,7 +19,7 @@ constexpr float kShoulderEnd = -0.2F;
 constexpr float kSpotLift = 0.004F;
 /// How white a spot's edge is, relative to its middle.
 constexpr float kSpotEdge = 0.28F;
-/// Metres by which the deer differs without them, as far as one looks: their size is that of a few pixels then.
+/// Error of the level without spots, metres: where it is chosen, a spot covers a few pixels.
 constexpr float kWithoutSpots = 0.022F;
 /// The same with spots of two triangles, which are as bright as those of six, and nearly as large.
 constexpr float kPlainSpots = 0.006F;

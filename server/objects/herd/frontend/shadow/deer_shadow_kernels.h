@@ -15,7 +15,7 @@ inline constexpr float kShadeFadesTo = 0.34F;
 inline constexpr float kGroundBend = 0.025F;  // per metre
 /// Above that, the animal's own pixels stay as they are.
 inline constexpr float kOwnHeight = 0.05F;
-/// A body that is nearer than what is behind it by more than that is not the same surface. Relative.
+/// A pixel shows the animal's own body if its depth differs from the body's by at most this share.
 inline constexpr float kSameDepth = 0.002F;
 
 /// Of red, green and blue as they are displayed, in the sun's full shadow; what remains is the sky's light.

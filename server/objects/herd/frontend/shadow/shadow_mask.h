@@ -10,8 +10,8 @@
 
 namespace grove::objects::herd {
 
-/// How much of the sun thick lines hide, seen along its rays: a small picture in a plane across them. Its edges are
-/// softer, the higher the caster is above the ground.
+/// The share of the sun that capsules hide: a small image in a plane perpendicular to the sun's direction. Higher
+/// casters have softer edges.
 class SunMask {
  public:
   static constexpr int kSide = kMaskSide;
